@@ -15,6 +15,7 @@
 #include <string>
 #include <vector>
 
+namespace opal::cli {
 namespace {
 
 int fail(ExitCode code, const std::string& message) {
@@ -27,28 +28,28 @@ int with_output_written(int exit_code) {
   errno = 0;
   const bool is_written = std::cout.flush() && std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
   if (is_written) return exit_code;
-  return fail(kNotWritten, opal::WriteError("standard output", errno).what());
+  return fail(kNotWritten, WriteError("standard output", errno).what());
 }
 
 void add_verbs(CLI::App& app, int& exit_code) {
-  opal::add_demo_verb(app, exit_code);
-  opal::add_map_verb(app, exit_code);
-  opal::add_info_verb(app, exit_code);
-  opal::add_localize_verb(app, exit_code);
-  opal::add_track_verb(app, exit_code);
-  opal::add_learn_verb(app, exit_code);
-  opal::add_view_verb(app, exit_code);
-  opal::add_explain_verb(app, exit_code);
-  opal::add_simulate_verb(app, exit_code);
-  opal::add_drive_verb(app, exit_code);
-  opal::add_serve_verb(app, exit_code);
-  opal::add_ros2_verb(app, exit_code);
-  opal::add_experiment_verb(app, exit_code);
-  opal::add_ab_verb(app, exit_code);
-  opal::add_bench_verb(app, exit_code);
-  opal::add_calibrate_verb(app, exit_code);
-  opal::add_calibration_verb(app, exit_code);
-  opal::add_plugins_verb(app, exit_code);
+  add_demo_verb(app, exit_code);
+  add_map_verb(app, exit_code);
+  add_info_verb(app, exit_code);
+  add_localize_verb(app, exit_code);
+  add_track_verb(app, exit_code);
+  add_learn_verb(app, exit_code);
+  add_view_verb(app, exit_code);
+  add_explain_verb(app, exit_code);
+  add_simulate_verb(app, exit_code);
+  add_drive_verb(app, exit_code);
+  add_serve_verb(app, exit_code);
+  add_ros2_verb(app, exit_code);
+  add_experiment_verb(app, exit_code);
+  add_ab_verb(app, exit_code);
+  add_bench_verb(app, exit_code);
+  add_calibrate_verb(app, exit_code);
+  add_calibration_verb(app, exit_code);
+  add_plugins_verb(app, exit_code);
 }
 
 /// The word that stands where a command is expected and is none, with the commands that there are; empty if all is
@@ -63,7 +64,7 @@ std::string unknown_command(const CLI::App& app, const std::vector<std::string>&
       if (known->get_name() == word) next = known;
     if (next == nullptr)
       return "'" + word + "': no command of " + command->get_name() +
-             ", expected one of: " + opal::listed_by(all, [](const CLI::App* known) { return known->get_name(); });
+             ", expected one of: " + listed_by(all, [](const CLI::App* known) { return known->get_name(); });
     command = next;
   }
   return "";
@@ -74,9 +75,9 @@ int run(CLI::App& app, int argc, char** argv, const int& exit_code) {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? kDone : kWrongUse;
-  } catch (const opal::WriteError& error) {
+  } catch (const WriteError& error) {
     return fail(kNotWritten, error.what());
-  } catch (const opal::FolderInUse& error) {
+  } catch (const FolderInUse& error) {
     return fail(kInUse, error.what());
   } catch (const std::bad_alloc&) {
     return fail(kBadInput, "out of memory, expected a smaller map or log, or a machine with more memory");
@@ -86,9 +87,7 @@ int run(CLI::App& app, int argc, char** argv, const int& exit_code) {
   return exit_code;
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+int program(int argc, char** argv) {
   signal(SIGXFSZ, SIG_IGN);  // a limit on the size of files is an error of the file that reaches it
   CLI::App app("Opal: where a wheeled robot is in a building, from a LiDAR, odometry and a semantic map", "opal");
   app.require_subcommand(1);
@@ -100,3 +99,9 @@ int main(int argc, char** argv) {
     return fail(kWrongUse, unknown);
   return with_output_written(run(app, argc, argv, exit_code));
 }
+
+}  // namespace
+
+}  // namespace opal::cli
+
+int main(int argc, char** argv) { return opal::cli::program(argc, argv); }

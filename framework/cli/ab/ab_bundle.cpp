@@ -10,16 +10,17 @@
 #include <filesystem>
 #include <iostream>
 
+namespace opal::cli {
 namespace {
 
-namespace ab = opal::ab;
+namespace ab = ab;
 namespace fs = std::filesystem;
 
 void expect_finished(const AbSession& session) {
   for (const char* name : {"results.jsonl", "verdict.json"})
     if (const std::string file = session.folder().file(name); !fs::exists(file))
-      throw opal::ConfigError(file + ": is not there, expected a finished experiment; opal ab " +
-                              session.experiment().file + " finishes it");
+      throw ConfigError(file + ": is not there, expected a finished experiment; opal ab " + session.experiment().file +
+                        " finishes it");
 }
 
 void say(const std::string& head, const std::vector<std::string>& sentences) {
@@ -37,7 +38,7 @@ void say_what_differs(const ab::RepeatedVerdict& told) {
   if (told.same()) std::cout << "the verdict is that of the bundle\n";
 }
 
-std::string digest_of_bundle(const ab::Bundle& bundle) { return opal::sha256_of_file(bundle.path_of(ab::kBundleFile)); }
+std::string digest_of_bundle(const ab::Bundle& bundle) { return sha256_of_file(bundle.path_of(ab::kBundleFile)); }
 
 fs::path out_of_bundle(const AbOptions& options) {
   if (!options.out.empty()) return options.out;
@@ -78,3 +79,5 @@ int repeat_bundle(const AbOptions& options) {
   say_what_differs(told);
   return told.same() ? kDone : kNo;
 }
+
+}  // namespace opal::cli

@@ -13,9 +13,10 @@
 #include <iostream>
 #include <thread>
 
+namespace opal::cli {
 namespace {
 
-namespace ab = opal::ab;
+namespace ab = ab;
 
 std::string out_of(const AbOptions& options) {
   if (!options.out.empty()) return options.out;
@@ -48,17 +49,17 @@ std::size_t jobs_of(const AbOptions& options) {
 
 AbSession::AbSession(const AbOptions& options)
     : experiment_(ab::read_experiment(
-          options.experiment, [](const std::string& name) { return opal::session::shipped_config(name + ".jsonld"); })),
-      metrics_(opal::benchmark::metrics_of(experiment_)),
-      plugins_(opal::benchmark::load_arm_plugins(experiment_)),
+          options.experiment, [](const std::string& name) { return session::shipped_config(name + ".jsonld"); })),
+      metrics_(benchmark::metrics_of(experiment_)),
+      plugins_(benchmark::load_arm_plugins(experiment_)),
       worlds_(experiment_, *plugins_[experiment_.baseline].registry),
       plan_(experiment_, all_queries()),
-      manifest_(opal::benchmark::manifest_of(experiment_, plugins_, worlds_)),
+      manifest_(benchmark::manifest_of(experiment_, plugins_, worlds_)),
       folder_(out_of(options), manifest_) {}
 
 void AbSession::work(const ab::Shard& shard, std::size_t jobs) {
-  opal::benchmark::LocalizingRunner runner(experiment_, plugins_, worlds_);
-  opal::benchmark::ProgressBar bar;
+  benchmark::LocalizingRunner runner(experiment_, plugins_, worlds_);
+  benchmark::ProgressBar bar;
   compute(runner, plan_, folder_, experiment_.limits, shard, jobs, [&](const ab::WorkProgress& progress) {
     bar.show(progress.share(), fmt::format("{} of {} cells, {} left", progress.before + progress.done, progress.all,
                                            duration_text(progress.left_s())));
@@ -68,17 +69,17 @@ void AbSession::work(const ab::Shard& shard, std::size_t jobs) {
 bool AbSession::collect() {
   const ab::MergedResults results(folder_, plan_);
   std::cout << results.finished() << " of " << plan_.cells() << " cells are finished\n";
-  const int look = opal::benchmark::look_at(experiment_, folder_, results, plan_);
+  const int look = benchmark::look_at(experiment_, folder_, results, plan_);
   if (look == 0 && experiment_.looks > 1)
     std::cout << "looks are at every " << plan_.cells() / static_cast<std::size_t>(experiment_.looks)
               << " cells, once\n";
-  if (results.complete()) results.write(opal::benchmark::arm_digests(manifest_));
+  if (results.complete()) results.write(benchmark::arm_digests(manifest_));
   if (look > 0) {
-    opal::benchmark::LocalizingRunner runner(experiment_, plugins_, worlds_);
-    const opal::benchmark::ViewLinks links =
-        experiment_.observes ? opal::benchmark::ViewLinks()
-                             : opal::benchmark::write_views(experiment_, plan_, folder_, results, runner);
-    opal::benchmark::report(experiment_, plan_, folder_, results, manifest_, look, links);
+    benchmark::LocalizingRunner runner(experiment_, plugins_, worlds_);
+    const benchmark::ViewLinks links = experiment_.observes
+                                           ? benchmark::ViewLinks()
+                                           : benchmark::write_views(experiment_, plan_, folder_, results, runner);
+    benchmark::report(experiment_, plan_, folder_, results, manifest_, look, links);
   }
   if (results.complete())
     std::cout << "written: results.jsonl, times.jsonl, verdict.json, report.html, paper in " << folder_.path() << '\n';
@@ -108,3 +109,5 @@ std::vector<std::vector<std::string>> AbSession::all_queries() const {
   for (const ab::Scenario& scenario : experiment_.scenarios) queries.push_back(worlds_.queries(scenario));
   return queries;
 }
+
+}  // namespace opal::cli

@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+namespace opal::cli {
+
 struct AbOptions {
   std::string experiment, out, shard = "1/1";
   int jobs = 0;
@@ -27,26 +29,28 @@ class AbSession {
  public:
   explicit AbSession(const AbOptions& options);
 
-  void work(const opal::ab::Shard& shard, std::size_t jobs);
+  void work(const ab::Shard& shard, std::size_t jobs);
   /// Says and writes what came out. @return whether all cells are finished.
   bool collect();
-  opal::ab::SlurmJob submit(const AbOptions& options) const;
+  ab::SlurmJob submit(const AbOptions& options) const;
   /// @return whether all cells are finished.
   bool status() const;
 
-  const opal::ab::Experiment& experiment() const { return experiment_; }
-  const opal::ab::ResultFolder& folder() const { return folder_; }
+  const ab::Experiment& experiment() const { return experiment_; }
+  const ab::ResultFolder& folder() const { return folder_; }
   const nlohmann::ordered_json& manifest() const { return manifest_; }
-  opal::benchmark::WorldSource& worlds() { return worlds_; }
+  benchmark::WorldSource& worlds() { return worlds_; }
 
  private:
   std::vector<std::vector<std::string>> all_queries() const;
 
-  opal::ab::Experiment experiment_;
-  std::vector<opal::statistics::Metric> metrics_;  // a wrong name shows before hours of work
-  std::vector<opal::benchmark::ArmPlugins> plugins_;
-  opal::benchmark::WorldSource worlds_;
-  opal::ab::CellPlan plan_;
+  ab::Experiment experiment_;
+  std::vector<statistics::Metric> metrics_;  // a wrong name shows before hours of work
+  std::vector<benchmark::ArmPlugins> plugins_;
+  benchmark::WorldSource worlds_;
+  ab::CellPlan plan_;
   nlohmann::ordered_json manifest_;
-  opal::ab::ResultFolder folder_;
+  ab::ResultFolder folder_;
 };
+
+}  // namespace opal::cli

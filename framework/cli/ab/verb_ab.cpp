@@ -7,9 +7,10 @@
 #include <iostream>
 #include <memory>
 
+namespace opal::cli {
 namespace {
 
-namespace ab = opal::ab;
+namespace ab = ab;
 
 int run(const AbOptions& options) {
   AbSession session(options);
@@ -62,7 +63,7 @@ void add_repeat(CLI::App& verb, AbOptions& options, int& exit_code) {
 
 }  // namespace
 
-void opal::add_ab_verb(CLI::App& app, int& exit_code) {
+void add_ab_verb(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<AbOptions>();
   CLI::App* verb =
       app.add_subcommand("ab", "which of several scorers or configurations is better, and whether that is luck");
@@ -102,3 +103,5 @@ void opal::add_ab_verb(CLI::App& app, int& exit_code) {
     exit_code = run(*options);
   });
 }
+
+}  // namespace opal::cli

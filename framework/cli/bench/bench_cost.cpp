@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <numeric>
 
+namespace opal::cli {
 namespace {
 
 double peak_rss_mb() {
@@ -23,7 +24,7 @@ double allocated_mb() {
   return static_cast<double>(info.uordblks + info.hblkhd) / (1 << 20);
 }
 
-nlohmann::ordered_json summarize(const opal::benchmark::RunRecord& all, const BenchCost& cost) {
+nlohmann::ordered_json summarize(const benchmark::RunRecord& all, const BenchCost& cost) {
   std::vector<double> cpu = all.update_cpu_ms;
   std::sort(cpu.begin(), cpu.end());
   const double n = std::max<double>(1, static_cast<double>(cpu.size()));
@@ -31,8 +32,8 @@ nlohmann::ordered_json summarize(const opal::benchmark::RunRecord& all, const Be
   return {{"queries", cost.queries},
           {"updates", cpu.size()},
           {"cpu_ms_mean", std::accumulate(cpu.begin(), cpu.end(), 0.0) / n},
-          {"cpu_ms_median", opal::quantile_of(cpu, 0.5).value_or(0)},
-          {"cpu_ms_p99", opal::quantile_of(cpu, 0.99).value_or(0)},
+          {"cpu_ms_median", quantile_of(cpu, 0.5).value_or(0)},
+          {"cpu_ms_p99", quantile_of(cpu, 0.99).value_or(0)},
           {"cpu_ms_max", cpu.empty() ? 0 : cpu.back()},
           {"peak_rss_mb", peak_rss_mb()},
           {"localizer_mb", cost.localizer_mb},
@@ -56,3 +57,5 @@ std::string cost_text(const nlohmann::ordered_json& summary) {
                      summary["cpu_ms_median"].get<double>(), summary["cpu_ms_p99"].get<double>(),
                      summary["peak_rss_mb"].get<double>(), summary["import_s"].get<double>());
 }
+
+}  // namespace opal::cli

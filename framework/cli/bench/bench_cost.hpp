@@ -6,6 +6,8 @@
 
 #include <string>
 
+namespace opal::cli {
+
 /// What a run is measured by, besides its results.
 struct BenchCost {
   std::size_t queries = 0;
@@ -17,7 +19,9 @@ struct BenchCost {
 double allocated_mb();
 
 /// Counts, CPU time and memory of a run, as summary.json has them.
-nlohmann::ordered_json summarize(const opal::benchmark::RunRecord& all, const BenchCost& cost);
+nlohmann::ordered_json summarize(const benchmark::RunRecord& all, const BenchCost& cost);
 
 /// The costs of a summary for people, one line.
 std::string cost_text(const nlohmann::ordered_json& summary);
+
+}  // namespace opal::cli

@@ -22,6 +22,7 @@
 #include <filesystem>
 #include <iostream>
 
+namespace opal::cli {
 namespace {
 
 namespace fs = std::filesystem;
@@ -35,23 +36,22 @@ struct BenchOptions {
   bool joined = false;
   JoinOptions join;
   std::optional<std::uint64_t> sequence;  ///< seed
-  opal::KidnappingSequenceOptions sequences;
+  KidnappingSequenceOptions sequences;
   OverlayFiles overlays;
 };
 
 /// What was run of a place before a stop was asked for; what had begun then is left out.
 struct PlaceRun {
-  opal::benchmark::RunRecord all;
+  benchmark::RunRecord all;
   std::size_t finished = 0;  ///< queries or kidnappings
   bool is_cut = false;
 };
 
-PlaceRun run_queries(opal::Localizer& localizer, const opal::benchmark::BenchPlace& place,
-                     const std::stop_token& stop) {
-  const opal::benchmark::RunObserver observer{[&](double) { return !stop.stop_requested(); }, {}, {}};
+PlaceRun run_queries(Localizer& localizer, const benchmark::BenchPlace& place, const std::stop_token& stop) {
+  const benchmark::RunObserver observer{[&](double) { return !stop.stop_requested(); }, {}, {}};
   PlaceRun run;
-  for (const opal::Query& query : place.queries) {
-    const opal::benchmark::RunRecord record = opal::benchmark::run_query(localizer, place, query, observer);
+  for (const Query& query : place.queries) {
+    const benchmark::RunRecord record = benchmark::run_query(localizer, place, query, observer);
     run.is_cut = stop.stop_requested();
     if (run.is_cut) break;
     run.all.append(record);
@@ -60,11 +60,11 @@ PlaceRun run_queries(opal::Localizer& localizer, const opal::benchmark::BenchPla
   return run;
 }
 
-KidnappingRuns run_kidnappings(opal::Localizer& localizer, const opal::benchmark::BenchPlace& place,
-                               const BenchOptions& options, const std::stop_token& stop) {
-  opal::KidnappingSequenceOptions sequences = options.sequences;
+KidnappingRuns run_kidnappings(Localizer& localizer, const benchmark::BenchPlace& place, const BenchOptions& options,
+                               const std::stop_token& stop) {
+  KidnappingSequenceOptions sequences = options.sequences;
   sequences.seed = *options.sequence;
-  return ::run_kidnappings(localizer, place, opal::GroundTruth::read(place.site.prefix + ".gt.csv"), sequences, stop);
+  return cli::run_kidnappings(localizer, place, GroundTruth::read(place.site.prefix + ".gt.csv"), sequences, stop);
 }
 
 /// Where the results of a place go.
@@ -74,43 +74,42 @@ struct BenchFiles {
 };
 
 /// Results are told in the frame of the place's own map.
-void write_record(opal::benchmark::RunRecord& all, const opal::benchmark::BenchSite& site, const BenchFiles& files) {
-  const opal::Pose2 T_site_map = site.T_map_site.inverse();
-  for (opal::ResultRow& row : all.rows) row.T_map_laser = T_site_map * row.T_map_laser;
-  for (opal::AlternativeRow& row : all.alternatives) row.T_map_laser = T_site_map * row.T_map_laser;
-  opal::write_with(files.results.string(), [&](std::ostream& out) { opal::write_results(out, all.rows); });
-  opal::write_with((files.folder / "alternatives.csv").string(),
-                   [&](std::ostream& out) { opal::write_alternatives(out, all.alternatives); });
+void write_record(benchmark::RunRecord& all, const benchmark::BenchSite& site, const BenchFiles& files) {
+  const Pose2 T_site_map = site.T_map_site.inverse();
+  for (ResultRow& row : all.rows) row.T_map_laser = T_site_map * row.T_map_laser;
+  for (AlternativeRow& row : all.alternatives) row.T_map_laser = T_site_map * row.T_map_laser;
+  write_with(files.results.string(), [&](std::ostream& out) { write_results(out, all.rows); });
+  write_with((files.folder / "alternatives.csv").string(),
+             [&](std::ostream& out) { write_alternatives(out, all.alternatives); });
 }
 
 /// Judges the rows of all queries, in the frame of the place's own map, if the place has a recorded truth.
-std::optional<opal::PlaceVerdict> judged(const opal::benchmark::BenchPlace& place,
-                                         const opal::benchmark::RunRecord& all) {
+std::optional<PlaceVerdict> judged(const benchmark::BenchPlace& place, const benchmark::RunRecord& all) {
   const std::string truth = place.site.prefix + ".gt.csv";
   if (!fs::exists(truth)) return std::nullopt;
-  return opal::judge_place(all.rows, place.queries, opal::GroundTruth::read(truth));
+  return judge_place(all.rows, place.queries, GroundTruth::read(truth));
 }
 
 /// What a run of a place leaves to tell.
 struct PlaceReport {
   nlohmann::ordered_json summary;
   std::string text;  ///< for people: did it work, then the costs
-  std::optional<opal::PlaceVerdict> verdict;
+  std::optional<PlaceVerdict> verdict;
   bool is_cut = false;  ///< by a stop
 };
 
-PlaceRun run_and_judge_kidnappings(opal::Localizer& localizer, const opal::benchmark::BenchPlace& place,
+PlaceRun run_and_judge_kidnappings(Localizer& localizer, const benchmark::BenchPlace& place,
                                    const BenchOptions& options, const BenchFiles& files, const std::stop_token& stop,
                                    PlaceReport& report) {
   KidnappingRuns runs = run_kidnappings(localizer, place, options, stop);
-  opal::write_with((files.folder / "kidnappings.csv").string(),
-                   [&](std::ostream& out) { opal::write_kidnappings(out, runs.verdicts); });
-  report.text = opal::summary_of(runs.verdicts);
+  write_with((files.folder / "kidnappings.csv").string(),
+             [&](std::ostream& out) { write_kidnappings(out, runs.verdicts); });
+  report.text = summary_of(runs.verdicts);
   return {std::move(runs.all), runs.verdicts.size(), runs.is_cut};
 }
 
 /// Says whether queries succeeded, where their truth is recorded.
-void judge(const opal::benchmark::BenchPlace& place, const PlaceRun& run, PlaceReport& report) {
+void judge(const benchmark::BenchPlace& place, const PlaceRun& run, PlaceReport& report) {
   report.verdict = judged(place, run.all);
   if (!report.verdict) {
     report.text = "not judged: there is no recorded truth in " + place.site.prefix + ".gt.csv\n";
@@ -121,10 +120,10 @@ void judge(const opal::benchmark::BenchPlace& place, const PlaceRun& run, PlaceR
 }
 
 /// All queries of a place, or as many kidnappings, as far as no stop is asked for.
-PlaceReport run_place(const opal::benchmark::BenchPlace& place, const opal::PluginRegistry& registry,
-                      const BenchOptions& options, const BenchFiles& files, const std::stop_token& stop) {
+PlaceReport run_place(const benchmark::BenchPlace& place, const PluginRegistry& registry, const BenchOptions& options,
+                      const BenchFiles& files, const std::stop_token& stop) {
   const double before_mb = allocated_mb();
-  opal::Localizer localizer(opal::build_parts(place.deployment, registry, place.site.map));
+  Localizer localizer(build_parts(place.deployment, registry, place.site.map));
   const double localizer_mb = allocated_mb() - before_mb;
   PlaceReport report;
   PlaceRun run = options.sequence ? run_and_judge_kidnappings(localizer, place, options, files, stop, report)
@@ -135,57 +134,57 @@ PlaceReport run_place(const opal::benchmark::BenchPlace& place, const opal::Plug
   report.summary["site"] = fs::absolute(place.site.prefix).lexically_normal().string();
   if (!options.sequence && !run.is_cut) judge(place, run, report);
   report.summary["plugin_failures"] = localizer.plugin_failures();
-  report.text += opal::benchmark::skipped_text(localizer.plugin_failures()) + cost_text(report.summary);
-  opal::write_text((files.folder / "summary.json").string(), report.summary.dump(2) + '\n');
+  report.text += benchmark::skipped_text(localizer.plugin_failures()) + cost_text(report.summary);
+  write_text((files.folder / "summary.json").string(), report.summary.dump(2) + '\n');
   return report;
 }
 
 /// Of several places together; nothing if none was judged.
-void print_totals(const opal::PlaceVerdict& all, std::size_t places) {
+void print_totals(const PlaceVerdict& all, std::size_t places) {
   if (places > 1 && all.queries > 0) std::cout << "all places\n" << summary_of(all);
 }
 
 /// Overlays speak of one building's ids, and of the map as it was imported.
-void lay_overlays(std::vector<opal::benchmark::BenchSite>& sites, const std::vector<std::string>& files,
+void lay_overlays(std::vector<benchmark::BenchSite>& sites, const std::vector<std::string>& files,
                   const DamageOptions& damage) {
   if (files.empty()) return;
   if (sites.size() > 1 || damage.any())
-    throw opal::ConfigError("bench: overlays with several places or with damage, expected one place as it is");
-  sites.front().map = opal::session::with_overlays(sites.front().map, files);
+    throw ConfigError("bench: overlays with several places or with damage, expected one place as it is");
+  sites.front().map = session::with_overlays(sites.front().map, files);
 }
 
-opal::MapJoin join_of(const BenchOptions& options) {
-  opal::MapJoin join = options.join.join;
+MapJoin join_of(const BenchOptions& options) {
+  MapJoin join = options.join.join;
   join.seed = options.damage.seed;
-  if (join.copies > 0 && !options.joined) throw opal::ConfigError("bench: --copies without --join");
-  if (options.sequence && options.joined) throw opal::ConfigError("bench: --kidnap with --join, expected one of them");
+  if (join.copies > 0 && !options.joined) throw ConfigError("bench: --copies without --join");
+  if (options.sequence && options.joined) throw ConfigError("bench: --kidnap with --join, expected one of them");
   return join;
 }
 
-std::vector<opal::benchmark::BenchSite> sites_of(const BenchOptions& options, const opal::PluginRegistry& registry,
-                                                 const opal::Deployment& deployment) {
-  const opal::MapJoin join = join_of(options);
-  std::vector<opal::benchmark::BenchSite> sites =
-      opal::benchmark::load_sites(registry, options.prefixes, {options.maps, options.damage.asked()});
+std::vector<benchmark::BenchSite> sites_of(const BenchOptions& options, const PluginRegistry& registry,
+                                           const Deployment& deployment) {
+  const MapJoin join = join_of(options);
+  std::vector<benchmark::BenchSite> sites =
+      benchmark::load_sites(registry, options.prefixes, {options.maps, options.damage.asked()});
   std::vector<std::string> overlays = deployment.overlays;
   overlays.insert(overlays.end(), options.overlays.files.begin(), options.overlays.files.end());
   lay_overlays(sites, overlays, options.damage);
-  if (options.joined) opal::benchmark::join_sites(sites, join);
+  if (options.joined) benchmark::join_sites(sites, join);
   return sites;
 }
 
 /// Of all places; each has a folder of its own if there are several.
-std::vector<std::string> products_of(const std::vector<opal::benchmark::BenchSite>& sites) {
+std::vector<std::string> products_of(const std::vector<benchmark::BenchSite>& sites) {
   std::vector<std::string> names = run_products();
-  for (const opal::benchmark::BenchSite& site : sites) names.push_back(site.name + ".csv");
+  for (const benchmark::BenchSite& site : sites) names.push_back(site.name + ".csv");
   return names;
 }
 
 /// One of several places.
-PlaceReport run_in_own_folder(const opal::benchmark::BenchPlace& place, const opal::PluginRegistry& registry,
+PlaceReport run_in_own_folder(const benchmark::BenchPlace& place, const PluginRegistry& registry,
                               const BenchOptions& options, const StopSignals& signals) {
   const fs::path out = options.out;
-  opal::OutputFolder folder(out / place.site.name, "opal bench", run_products());
+  OutputFolder folder(out / place.site.name, "opal bench", run_products());
   const BenchFiles files{out / (place.site.name + ".csv"), folder.path()};
   PlaceReport report = run_place(place, registry, options, files, signals.token());
   if (report.is_cut)
@@ -196,12 +195,12 @@ PlaceReport run_in_own_folder(const opal::benchmark::BenchPlace& place, const op
 }
 
 /// All places one after the other until a stop is asked for. @return whether one was cut.
-bool run_places(const std::vector<opal::benchmark::BenchSite>& sites, const opal::Deployment& deployment,
-                const opal::PluginRegistry& registry, const BenchOptions& options, const StopSignals& signals) {
-  opal::PlaceVerdict all;
-  for (const opal::benchmark::BenchSite& site : sites) {
+bool run_places(const std::vector<benchmark::BenchSite>& sites, const Deployment& deployment,
+                const PluginRegistry& registry, const BenchOptions& options, const StopSignals& signals) {
+  PlaceVerdict all;
+  for (const benchmark::BenchSite& site : sites) {
     const PlaceReport report =
-        run_in_own_folder(opal::benchmark::read_bench_place(registry, site, deployment), registry, options, signals);
+        run_in_own_folder(benchmark::read_bench_place(registry, site, deployment), registry, options, signals);
     std::cout << site.name << '\n' << report.text << std::flush;
     if (report.is_cut) return true;
     if (report.verdict) all.add(*report.verdict);
@@ -211,13 +210,13 @@ bool run_places(const std::vector<opal::benchmark::BenchSite>& sites, const opal
 }
 
 int bench(const BenchOptions& options) {
-  const opal::Deployment deployment = opal::read_deployment(opal::session::config_file(options.config));
-  const opal::PluginRegistry registry = opal::session::load_plugins(deployment);
-  const std::vector<opal::benchmark::BenchSite> sites = sites_of(options, registry, deployment);
-  std::vector<opal::benchmark::BenchPlace> places;
-  if (sites.size() == 1) places.push_back(opal::benchmark::read_bench_place(registry, sites.front(), deployment));
+  const Deployment deployment = read_deployment(session::config_file(options.config));
+  const PluginRegistry registry = session::load_plugins(deployment);
+  const std::vector<benchmark::BenchSite> sites = sites_of(options, registry, deployment);
+  std::vector<benchmark::BenchPlace> places;
+  if (sites.size() == 1) places.push_back(benchmark::read_bench_place(registry, sites.front(), deployment));
   const StopSignals signals;
-  opal::OutputFolder folder(options.out, "opal bench", products_of(sites));
+  OutputFolder folder(options.out, "opal bench", products_of(sites));
   bool is_cut = false;
   if (sites.size() == 1) {
     const BenchFiles files{folder.file("results.csv"), folder.path()};
@@ -234,7 +233,7 @@ int bench(const BenchOptions& options) {
 
 }  // namespace
 
-void opal::add_bench_verb(CLI::App& app, int& exit_code) {
+void add_bench_verb(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<BenchOptions>();
   CLI::App* verb = app.add_subcommand("bench", "recorded places from end to end: import their maps, run their queries");
   verb->add_option("PREFIX", options->prefixes,
@@ -262,3 +261,5 @@ void opal::add_bench_verb(CLI::App& app, int& exit_code) {
       ->check(CLI::Range(1, 100000));
   verb->callback([options, &exit_code] { exit_code = bench(*options); });
 }
+
+}  // namespace opal::cli

@@ -1,6 +1,6 @@
 #include "cli/calibrate/calibrated_sensor.hpp"
 
-namespace opal {
+namespace opal::cli {
 
 std::string write_mount(nlohmann::ordered_json& document, const LaserModel& described, const LaserModel& used,
                         const nlohmann::ordered_json& mount) {
@@ -24,4 +24,4 @@ std::string write_mount(nlohmann::ordered_json& document, const LaserModel& desc
   return "";
 }
 
-}  // namespace opal
+}  // namespace opal::cli

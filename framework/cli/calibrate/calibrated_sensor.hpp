@@ -6,7 +6,7 @@
 
 #include <string>
 
-namespace opal {
+namespace opal::cli {
 
 /// Writes a mount that a drive has told into the first laser of a deployment. A laser with `geometry_from_log` would go
 /// on with the mount of the log: its beams are written instead, and the option is taken back.
@@ -17,4 +17,4 @@ namespace opal {
 std::string write_mount(nlohmann::ordered_json& document, const LaserModel& described, const LaserModel& used,
                         const nlohmann::ordered_json& mount);
 
-}  // namespace opal
+}  // namespace opal::cli

@@ -20,6 +20,7 @@
 
 #include <fstream>
 
+namespace opal::cli {
 namespace {
 
 struct CalibrateOptions {
@@ -27,23 +28,22 @@ struct CalibrateOptions {
   std::vector<std::string> log_words;
 };
 
-std::shared_ptr<const opal::ScanMatcher> matcher_of(const opal::PluginRegistry& registry,
-                                                    const opal::Deployment& deployment) {
+std::shared_ptr<const ScanMatcher> matcher_of(const PluginRegistry& registry, const Deployment& deployment) {
   const std::string usual = "opal:PointToLineMatcher";
-  if (!deployment.matcher) return registry.make<opal::ScanMatcher>(usual);
-  return registry.make<opal::ScanMatcher>(deployment.matcher->type, deployment.matcher->options);
+  if (!deployment.matcher) return registry.make<ScanMatcher>(usual);
+  return registry.make<ScanMatcher>(deployment.matcher->type, deployment.matcher->options);
 }
 
 struct Timed {
   double end_s = 0;
-  opal::MotionPair pair;
+  MotionPair pair;
 };
 
 /// All motions of the log that its scans tell.
-std::vector<Timed> motions_of(const std::vector<opal::LogRecord>& records, const opal::LaserModel& laser,
-                              std::shared_ptr<const opal::ScanMatcher> matcher) {
-  opal::Replay replay(records, {laser});
-  opal::MotionPairs motions(std::move(matcher), laser.T_base_laser);
+std::vector<Timed> motions_of(const std::vector<LogRecord>& records, const LaserModel& laser,
+                              std::shared_ptr<const ScanMatcher> matcher) {
+  Replay replay(records, {laser});
+  MotionPairs motions(std::move(matcher), laser.T_base_laser);
   std::vector<Timed> pairs;
   while (const auto sample = replay.next())
     if (auto pair = motions.add(sample->views.front().scan, sample->T_odom_base))
@@ -51,7 +51,7 @@ std::vector<Timed> motions_of(const std::vector<opal::LogRecord>& records, const
   return pairs;
 }
 
-void print(const opal::MotionCalibration& drive, const opal::Pose2& T_base_laser) {
+void print(const MotionCalibration& drive, const Pose2& T_base_laser) {
   fmt::print("{} motions, {:.1f} m and {:.1f} rad by odometry\n\n{:<28} {:>10} {:>10} {:>10}\n", drive.pairs,
              drive.driven_m, drive.turned_rad, "", "estimate", "+-", "described");
   const auto row = [](const char* name, double value, double sigma, double described) {
@@ -61,24 +61,24 @@ void print(const opal::MotionCalibration& drive, const opal::Pose2& T_base_laser
     else
       fmt::print("{:<28} {:>10} {:>10} {:10.4f}\n", name, "not told", "", described);
   };
-  row("mount heading [deg]", opal::degrees(drive.mount_heading_rad.value), opal::degrees(drive.mount_heading_rad.sigma),
-      opal::degrees(T_base_laser.heading_rad()));
+  row("mount heading [deg]", degrees(drive.mount_heading_rad.value), degrees(drive.mount_heading_rad.sigma),
+      degrees(T_base_laser.heading_rad()));
   row("mount x [m]", drive.mount_position_m.x(), drive.mount_position_sigma_m, T_base_laser.x());
   row("mount y [m]", drive.mount_position_m.y(), drive.mount_position_sigma_m, T_base_laser.y());
   row("odometry, distance scale", drive.distance_scale.value, drive.distance_scale.sigma, 1);
   row("odometry, turn scale", drive.turn_scale.value, drive.turn_scale.sigma, 1);
   fmt::print("\n");
-  for (const opal::SensorFinding& finding : judge_motion(drive, T_base_laser)) fmt::print("{}\n", finding.words);
+  for (const SensorFinding& finding : judge_motion(drive, T_base_laser)) fmt::print("{}\n", finding.words);
 }
 
 void write_motions(const std::vector<Timed>& motions, const std::string& path) {
   std::string text = "end_s,odometry_x_m,odometry_y_m,odometry_heading_rad,scans_x_m,scans_y_m,scans_heading_rad\n";
   for (const Timed& motion : motions) {
-    const opal::Pose2 &a = motion.pair.T_odometry, &b = motion.pair.T_scans;
+    const Pose2 &a = motion.pair.T_odometry, &b = motion.pair.T_scans;
     text += fmt::format("{:.4f},{:.4f},{:.4f},{:.4f},{:.4f},{:.4f},{:.4f}\n", motion.end_s, a.x(), a.y(),
                         a.heading_rad(), b.x(), b.y(), b.heading_rad());
   }
-  opal::write_text(path, text);
+  write_text(path, text);
 }
 
 /// What a deployment takes from a drive. What the drive tells too badly stays as it is described.
@@ -87,8 +87,7 @@ struct Learned {
   std::vector<std::string> left;           ///< names of what stays
 };
 
-Learned learned_of(const opal::MotionCalibration& drive) {
-  using opal::ToldWithin;
+Learned learned_of(const MotionCalibration& drive) {
   Learned learned;
   const auto take = [&](bool is_told, nlohmann::ordered_json& into, const nlohmann::ordered_json& numbers,
                         const char* name) {
@@ -109,8 +108,8 @@ Learned learned_of(const opal::MotionCalibration& drive) {
 }
 
 /// @param described  the deployment's laser. @param used  the same with the log's beams and mount.
-int write_deployment(const opal::MotionCalibration& drive, const CalibrateOptions& options,
-                     const opal::LaserModel& described, const opal::LaserModel& used) {
+int write_deployment(const MotionCalibration& drive, const CalibrateOptions& options, const LaserModel& described,
+                     const LaserModel& used) {
   const Learned learned = learned_of(drive);
   if (drive.turn_scale.value < 0) {
     fmt::print("not written: a deployment cannot say that scans are mirrored\n");
@@ -123,59 +122,57 @@ int write_deployment(const opal::MotionCalibration& drive, const CalibrateOption
   auto document = nlohmann::ordered_json::parse(std::ifstream(options.config));
   const std::string objection = learned.mount.empty() ? "" : write_mount(document, described, used, learned.mount);
   if (!learned.odometry.empty()) document["odometry"].merge_patch(learned.odometry);
-  opal::write_text(options.out, document.dump(2) + '\n');
+  write_text(options.out, document.dump(2) + '\n');
   fmt::print("written: {}\n", options.out);
   if (!objection.empty()) fmt::print("the mount is not written: {}\n", objection);
   if (!learned.left.empty())
-    fmt::print("left as described, because the drive tells too little of it: {}\n", opal::listed(learned.left));
+    fmt::print("left as described, because the drive tells too little of it: {}\n", listed(learned.left));
   return kDone;
 }
 
 /// Scans are laid over each other from where odometry and mount say. Where the described mount looks elsewhere, what is
 /// found is only a better start.
-std::optional<opal::MotionCalibration> calibration_of(std::vector<Timed>& motions,
-                                                      const std::vector<opal::LogRecord>& records,
-                                                      opal::LaserModel laser,
-                                                      const std::shared_ptr<const opal::ScanMatcher>& matcher) {
+std::optional<MotionCalibration> calibration_of(std::vector<Timed>& motions, const std::vector<LogRecord>& records,
+                                                LaserModel laser, const std::shared_ptr<const ScanMatcher>& matcher) {
   constexpr int kMostRounds = 3;
   constexpr double kElsewhere_rad = 0.17;
-  std::optional<opal::MotionCalibration> drive;
+  std::optional<MotionCalibration> drive;
   for (int round = 0; round < kMostRounds; ++round) {
     motions = motions_of(records, laser, matcher);
-    std::vector<opal::MotionPair> pairs;
+    std::vector<MotionPair> pairs;
     for (const Timed& motion : motions) pairs.push_back(motion.pair);
-    drive = opal::calibrate_motion(pairs, laser.T_base_laser);
-    if (!drive || !(drive->mount_heading_rad.sigma < opal::ToldWithin::heading_rad)) break;
+    drive = calibrate_motion(pairs, laser.T_base_laser);
+    if (!drive || !(drive->mount_heading_rad.sigma < ToldWithin::heading_rad)) break;
     const double off_rad = drive->mount_heading_rad.value - laser.T_base_laser.heading_rad();
-    if (std::abs(opal::wrap_angle(off_rad)) < kElsewhere_rad) break;
-    laser.T_base_laser = opal::Pose2(drive->mount_position_m, drive->mount_heading_rad.value);
+    if (std::abs(wrap_angle(off_rad)) < kElsewhere_rad) break;
+    laser.T_base_laser = Pose2(drive->mount_position_m, drive->mount_heading_rad.value);
   }
   return drive;
 }
 
 int calibrate(CalibrateOptions options) {
-  options.config = opal::session::config_file(options.config);
-  const opal::Deployment deployment = opal::read_deployment(options.config);
-  const opal::PluginRegistry registry = opal::session::load_plugins(deployment);
-  opal::LaserModel laser = options.info.empty() ? deployment.lasers.front() : opal::read_site_laser(options.info);
-  const std::vector<opal::LogRecord> records =
-      opal::read_all(*opal::session::open_log(registry, options.log, deployment, options.log_words));
-  laser = opal::lasers_of_log(records, {laser}, options.log,
-                              options.info.empty() ? options.config + ": /sensor" : options.info)
-              .front();
+  options.config = session::config_file(options.config);
+  const Deployment deployment = read_deployment(options.config);
+  const PluginRegistry registry = session::load_plugins(deployment);
+  LaserModel laser = options.info.empty() ? deployment.lasers.front() : read_site_laser(options.info);
+  const std::vector<LogRecord> records =
+      read_all(*session::open_log(registry, options.log, deployment, options.log_words));
+  laser =
+      lasers_of_log(records, {laser}, options.log, options.info.empty() ? options.config + ": /sensor" : options.info)
+          .front();
   std::vector<Timed> motions;
   const auto drive = calibration_of(motions, records, laser, matcher_of(registry, deployment));
   if (!options.motions.empty()) write_motions(motions, options.motions);
-  if (!drive) throw opal::LogError(options.log + ": too few motions that scans tell, expected a drive with turns");
+  if (!drive) throw LogError(options.log + ": too few motions that scans tell, expected a drive with turns");
   print(*drive, laser.T_base_laser);
   if (options.out.empty()) return kDone;
-  const opal::LaserModel& described = deployment.lasers.front();
-  return write_deployment(*drive, options, described, opal::with_log_geometry(described, records));
+  const LaserModel& described = deployment.lasers.front();
+  return write_deployment(*drive, options, described, with_log_geometry(described, records));
 }
 
 }  // namespace
 
-void opal::add_calibrate_verb(CLI::App& app, int& exit_code) {
+void add_calibrate_verb(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<CalibrateOptions>();
   CLI::App* verb = app.add_subcommand("calibrate", "the laser's mount and the scales of the odometry, from a drive");
   verb->add_option("CONFIG", options->config, "deployment document, or the name of one that ships")->required();
@@ -186,3 +183,5 @@ void opal::add_calibrate_verb(CLI::App& app, int& exit_code) {
   verb->add_option("--motions", options->motions, "CSV file to write: each motion by odometry and by scans");
   verb->callback([options, &exit_code] { exit_code = calibrate(*options); });
 }
+
+}  // namespace opal::cli

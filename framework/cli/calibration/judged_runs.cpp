@@ -9,6 +9,7 @@
 #include <map>
 #include <set>
 
+namespace opal::cli {
 namespace {
 
 namespace fs = std::filesystem;
@@ -17,24 +18,23 @@ namespace fs = std::filesystem;
 fs::path truth_of(const fs::path& run, const std::string& folder) {
   const fs::path summary = run / "summary.json";
   if (!fs::exists(summary))
-    throw opal::LogError(summary.string() + ": does not exist, expected a folder that opal bench wrote");
-  const nlohmann::json document = opal::read_json(summary.string());
+    throw LogError(summary.string() + ": does not exist, expected a folder that opal bench wrote");
+  const nlohmann::json document = read_json(summary.string());
   if (!document.contains("site") || !document["site"].is_string())
-    throw opal::LogError(summary.string() +
-                         ": /site: missing, expected the prefix of the recording; run opal bench again");
+    throw LogError(summary.string() + ": /site: missing, expected the prefix of the recording; run opal bench again");
   const fs::path prefix(document["site"].get<std::string>());
   fs::path truth = folder.empty() ? prefix : fs::path(folder) / prefix.filename();
   truth += ".gt.csv";
   if (!fs::exists(truth))
-    throw opal::LogError(truth.string() + ": does not exist, expected the recorded truth of " + run.string() +
-                         "; name its folder with --truth");
+    throw LogError(truth.string() + ": does not exist, expected the recorded truth of " + run.string() +
+                   "; name its folder with --truth");
   return truth;
 }
 
 using Moment = std::pair<std::string, double>;  // query and stamp
-std::map<Moment, std::vector<opal::AlternativeRow>> alternatives_by_moment(const fs::path& run) {
-  std::map<Moment, std::vector<opal::AlternativeRow>> alternatives;
-  for (opal::AlternativeRow& row : opal::read_alternatives((run / "alternatives.csv").string())) {
+std::map<Moment, std::vector<AlternativeRow>> alternatives_by_moment(const fs::path& run) {
+  std::map<Moment, std::vector<AlternativeRow>> alternatives;
+  for (AlternativeRow& row : read_alternatives((run / "alternatives.csv").string())) {
     Moment moment{row.query, row.stamp_s};
     alternatives[std::move(moment)].push_back(std::move(row));
   }
@@ -43,13 +43,13 @@ std::map<Moment, std::vector<opal::AlternativeRow>> alternatives_by_moment(const
 
 }  // namespace
 
-void JudgedRuns::add(const std::string& run, const std::string& folder, const opal::PoseTolerance& tolerance) {
-  const opal::GroundTruth truth = opal::GroundTruth::read(truth_of(run, folder).string());
+void JudgedRuns::add(const std::string& run, const std::string& folder, const PoseTolerance& tolerance) {
+  const GroundTruth truth = GroundTruth::read(truth_of(run, folder).string());
   const auto alternatives = alternatives_by_moment(run);
   const std::string number = std::to_string(++runs);  // the same query in another run is another one
   std::set<std::string> seen, flagged, falsely;
   const std::size_t rows_before = rows;
-  for (const opal::ResultRow& row : opal::read_results((fs::path(run) / "results.csv").string())) {
+  for (const ResultRow& row : read_results((fs::path(run) / "results.csv").string())) {
     const auto pose = truth.T_map_laser_at(row.stamp_s);
     if (!pose) continue;
     const std::string query = number + "/" + row.query;
@@ -60,7 +60,7 @@ void JudgedRuns::add(const std::string& run, const std::string& folder, const op
     best.push_back({query, row.probability, right});
     places.push_back(best.back());
     if (const auto found = alternatives.find({row.query, row.stamp_s}); found != alternatives.end())
-      for (const opal::AlternativeRow& alternative : found->second) {
+      for (const AlternativeRow& alternative : found->second) {
         const bool alternative_right = tolerance.holds(alternative.T_map_laser, *pose);
         any_right = any_right || alternative_right;
         places.push_back({query, alternative.probability, alternative_right});
@@ -73,8 +73,10 @@ void JudgedRuns::add(const std::string& run, const std::string& folder, const op
     if (!right) falsely.insert(query);
   }
   if (rows == rows_before)
-    throw opal::LogError(run + "/results.csv: no row at a time of the recorded truth, expected at least one");
+    throw LogError(run + "/results.csv: no row at a time of the recorded truth, expected at least one");
   queries += seen.size();
   flagged_queries += flagged.size();
   false_queries += falsely.size();
 }
+
+}  // namespace opal::cli

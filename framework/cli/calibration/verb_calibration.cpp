@@ -12,34 +12,33 @@
 
 #include <iostream>
 
+namespace opal::cli {
 namespace {
-
-using opal::Weighting;
 
 struct CalibrationOptions {
   std::vector<std::string> runs;
   std::string truth, out;
-  opal::PoseTolerance right;
+  PoseTolerance right;
 };
 
-opal::CalibrationChapter chapter_of(const std::string& title, std::span<const opal::Statement> statements) {
+CalibrationChapter chapter_of(const std::string& title, std::span<const Statement> statements) {
   return {title, calibration_of(statements, Weighting::per_statement),
           calibration_of(statements, Weighting::per_cluster)};
 }
 
-void print(const opal::CalibrationChapter& chapter) {
+void print(const CalibrationChapter& chapter) {
   std::cout << chapter.title << '\n'
             << markdown_of(table_of(chapter.per_statement)) << "every row counts the same\n"
             << scores_of(chapter.per_statement) << "every query counts the same\n"
             << scores_of(chapter.per_cluster) << '\n';
 }
 
-nlohmann::ordered_json both(const opal::CalibrationChapter& chapter) {
+nlohmann::ordered_json both(const CalibrationChapter& chapter) {
   return {{"per_row", to_json(chapter.per_statement)}, {"per_query", to_json(chapter.per_cluster)}};
 }
 
-nlohmann::ordered_json json_of(const JudgedRuns& runs, const std::vector<opal::CalibrationChapter>& chapters) {
-  const opal::Interval queries = opal::wilson_interval(runs.share_of_queries_with_false_flag(), double(runs.queries));
+nlohmann::ordered_json json_of(const JudgedRuns& runs, const std::vector<CalibrationChapter>& chapters) {
+  const Interval queries = wilson_interval(runs.share_of_queries_with_false_flag(), double(runs.queries));
   return {{"runs", runs.runs},
           {"queries", runs.queries},
           {"rows", runs.rows},
@@ -55,7 +54,7 @@ nlohmann::ordered_json json_of(const JudgedRuns& runs, const std::vector<opal::C
 
 std::string flags_of(const JudgedRuns& runs) {
   const double share = runs.share_of_queries_with_false_flag();
-  const opal::Interval queries = opal::wilson_interval(share, double(runs.queries));
+  const Interval queries = wilson_interval(share, double(runs.queries));
   return fmt::format(
       "{} rows of {} queries in {} runs\n"
       "flagged as localized: {} rows, {} of them wrong ({:.3f} %); {} queries\n"
@@ -68,20 +67,20 @@ std::string flags_of(const JudgedRuns& runs) {
 int calibrate(const CalibrationOptions& options) {
   JudgedRuns runs;
   for (const std::string& run : options.runs) {
-    if (const std::string note = opal::unfinished_note(run); !note.empty())
+    if (const std::string note = unfinished_note(run); !note.empty())
       std::cerr << "opal: " << run << ": " << note << '\n';
     runs.add(run, options.truth, options.right);
   }
   const std::string flags = flags_of(runs);
-  const std::vector<opal::CalibrationChapter> chapters{chapter_of("the best place is right", runs.best),
-                                                       chapter_of("a place is right, best or alternative", runs.places),
-                                                       chapter_of("none of the places is right", runs.none)};
+  const std::vector<CalibrationChapter> chapters{chapter_of("the best place is right", runs.best),
+                                                 chapter_of("a place is right, best or alternative", runs.places),
+                                                 chapter_of("none of the places is right", runs.none)};
   std::cout << flags << '\n';
-  for (const opal::CalibrationChapter& chapter : chapters) print(chapter);
+  for (const CalibrationChapter& chapter : chapters) print(chapter);
   if (options.out.empty()) return kDone;
-  opal::OutputFolder folder(options.out, "opal calibration", {"calibration.json", "report.html"});
-  opal::write_text(folder.file("calibration.json"), json_of(runs, chapters).dump(2) + '\n');
-  opal::write_text(folder.file("report.html"), calibration_page(flags, chapters));
+  OutputFolder folder(options.out, "opal calibration", {"calibration.json", "report.html"});
+  write_text(folder.file("calibration.json"), json_of(runs, chapters).dump(2) + '\n');
+  write_text(folder.file("report.html"), calibration_page(flags, chapters));
   std::cout << "written: calibration.json and report.html in " << options.out << '\n';
   folder.finish();
   return kDone;
@@ -89,7 +88,7 @@ int calibrate(const CalibrationOptions& options) {
 
 }  // namespace
 
-void opal::add_calibration_verb(CLI::App& app, int& exit_code) {
+void add_calibration_verb(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<CalibrationOptions>();
   CLI::App* verb = app.add_subcommand("calibration", "how far the probabilities of bench runs can be trusted");
   verb->add_option("RUN", options->runs, "folders that opal bench wrote")->required();
@@ -98,12 +97,14 @@ void opal::add_calibration_verb(CLI::App& app, int& exit_code) {
   verb->add_option("--within", options->right.position_m, "a pose with smaller errors is right: of the position [m]")
       ->capture_default_str()
       ->check(CLI::PositiveNumber);
-  auto heading_deg = std::make_shared<double>(opal::degrees(opal::kRightPose.heading_rad));
+  auto heading_deg = std::make_shared<double>(degrees(kRightPose.heading_rad));
   verb->add_option("--within-degrees", *heading_deg, "and of the heading [degrees]")
       ->capture_default_str()
       ->check(CLI::PositiveNumber);
   verb->callback([options, heading_deg, &exit_code] {
-    options->right.heading_rad = opal::radians(*heading_deg);
+    options->right.heading_rad = radians(*heading_deg);
     exit_code = calibrate(*options);
   });
 }
+
+}  // namespace opal::cli

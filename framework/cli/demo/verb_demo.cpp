@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+namespace opal::cli {
 namespace {
 
 namespace fs = std::filesystem;
@@ -20,20 +21,20 @@ int run_command(Words words) {
   std::cout << std::endl;
   CLI::App app("", "opal");
   int exit_code = 0;
-  opal::add_map_verb(app, exit_code);
-  opal::add_localize_verb(app, exit_code);
-  opal::add_view_verb(app, exit_code);
+  add_map_verb(app, exit_code);
+  add_localize_verb(app, exit_code);
+  add_view_verb(app, exit_code);
   std::reverse(words.begin(), words.end());  // as CLI11 takes them
   app.parse(words);
   return exit_code;
 }
 
 int demo(const std::string& out) {
-  const fs::path data = opal::session::shipped_file("maps/malaga"), folder = out;
+  const fs::path data = session::shipped_file("maps/malaga"), folder = out;
   const std::string map = (folder / "malaga.jsonld").string();
   fs::create_directories(folder);
   const std::vector<Words> commands{{"map", "import", data / "malaga.map.yaml", "-o", map, "--svg", folder / "map.svg"},
-                                    {"localize", opal::session::shipped_config("malaga.jsonld"), data / "malaga.log.gz",
+                                    {"localize", session::shipped_config("malaga.jsonld"), data / "malaga.log.gz",
                                      "--map", map, "--truth", data / "malaga.gt.csv", "-o", out},
                                     {"view", out}};
   for (const Words& command : commands)
@@ -45,10 +46,12 @@ int demo(const std::string& out) {
 
 }  // namespace
 
-void opal::add_demo_verb(CLI::App& app, int& exit_code) {
+void add_demo_verb(CLI::App& app, int& exit_code) {
   auto out = std::make_shared<std::string>("opal-demo");
   CLI::App* verb = app.add_subcommand(
       "demo", "a first run: import the map of a hall, localize along a recorded drive, make the page");
   verb->add_option("-o,--out", *out, "folder for everything that it writes")->capture_default_str();
   verb->callback([out, &exit_code] { exit_code = demo(*out); });
 }
+
+}  // namespace opal::cli

@@ -13,17 +13,18 @@
 #include <cmath>
 #include <cstdio>
 
+namespace opal::cli {
 namespace {
 
-using opal::experiments::kNever;
-using opal::experiments::median;
-using opal::experiments::number_or_null;
+using experiments::kNever;
+using experiments::median;
+using experiments::number_or_null;
 
-nlohmann::ordered_json collisions_of(const opal::DriveRecord& record) {
+nlohmann::ordered_json collisions_of(const DriveRecord& record) {
   auto collisions = nlohmann::ordered_json::array();
-  for (const opal::DriveRecord::Collision& collision : record.collisions) {
-    const opal::Pose2& pose = collision.T_map_base;
-    const opal::Point touched = opal::anchor_of(collision.touched.what);
+  for (const DriveRecord::Collision& collision : record.collisions) {
+    const Pose2& pose = collision.T_map_base;
+    const Point touched = anchor_of(collision.touched.what);
     collisions.push_back(
         {{"time_s", collision.stamp_s},
          {"pose", {pose.x(), pose.y(), pose.heading_rad()}},
@@ -35,7 +36,7 @@ nlohmann::ordered_json collisions_of(const opal::DriveRecord& record) {
   return collisions;
 }
 
-nlohmann::ordered_json summary_of(const DriveTask& task, const opal::DriveRecord& record) {
+nlohmann::ordered_json summary_of(const DriveTask& task, const DriveRecord& record) {
   nlohmann::ordered_json run = {{"seed", task.seed},
                                 {"start", {task.start.x(), task.start.y(), task.start.heading_rad()}},
                                 {"goal", {task.goal.x(), task.goal.y()}},
@@ -59,7 +60,7 @@ nlohmann::ordered_json summary_of(const DriveTask& task, const opal::DriveRecord
 
 }  // namespace
 
-void DriveReport::add(const DriveTask& task, const opal::DriveRecord& record) {
+void DriveReport::add(const DriveTask& task, const DriveRecord& record) {
   constexpr std::size_t kPictures = 3;
   runs_.push_back(summary_of(task, record));
   reached_ += record.reached;
@@ -69,26 +70,25 @@ void DriveReport::add(const DriveTask& task, const opal::DriveRecord& record) {
   localized_after_m_.push_back(record.localized_after_m.value_or(kNever));
   if (record.reached) times_s_.push_back(record.time_s);
   fmt::print("seed {}: {} after {:.0f} s and {:.1f} m, {:.2f} m from the goal; ", task.seed,
-             opal::drive_ending(record.reached, record.said_so), record.time_s, record.driven_m, record.off_goal_m);
+             drive_ending(record.reached, record.said_so), record.time_s, record.driven_m, record.off_goal_m);
   if (record.localized_after_m)
     fmt::print("localized after {:.1f} m", *record.localized_after_m);
   else
     fmt::print("never localized");
-  fmt::print("; {}, {} of {} scans falsely localized{}{}\n", opal::count_of(record.collisions.size(), "collision"),
+  fmt::print("; {}, {} of {} scans falsely localized{}{}\n", count_of(record.collisions.size(), "collision"),
              record.falsely_localized_scans, record.scans, record.why.empty() ? "" : ": ", record.why);
   std::fflush(stdout);
   if (runs_.size() <= kPictures || !record.reached) draw(task, record);
 }
 
-void DriveReport::draw(const DriveTask& task, const opal::DriveRecord& record) const {
-  opal::DrawingScene scene;
+void DriveReport::draw(const DriveTask& task, const DriveRecord& record) const {
+  DrawingScene scene;
   scene.map = map_;
   scene.title = map_->name() + ": seed " + std::to_string(task.seed) + (record.reached ? ", reached" : ", not reached");
   scene.unmapped = task.unmapped;
-  for (const opal::DriveRecord::Moment& moment : record.moments) {
+  for (const DriveRecord::Moment& moment : record.moments) {
     scene.truth.push_back(moment.truth.position());
-    if (moment.has_pose && moment.status == opal::Status::localized)
-      scene.trajectory.push_back(moment.estimate.position());
+    if (moment.has_pose && moment.status == Status::localized) scene.trajectory.push_back(moment.estimate.position());
   }
   if (!record.moments.empty() && record.moments.back().has_pose)
     scene.hypotheses.push_back({record.moments.back().estimate, 1});
@@ -99,8 +99,8 @@ void DriveReport::draw(const DriveTask& task, const opal::DriveRecord& record) c
   if (!record.why.empty()) scene.notes.emplace_back("Not reached: " + record.why + ".");
   scene.notes.emplace_back("The estimated trajectory is drawn where it was called localized.");
   const std::string name = (out_ / ("drive_" + std::to_string(task.seed))).string();
-  opal::write_svg(scene, name + ".svg");
-  opal::write_png(scene, name + ".png");
+  write_svg(scene, name + ".svg");
+  write_png(scene, name + ".png");
 }
 
 nlohmann::ordered_json DriveReport::totals() const {
@@ -122,5 +122,7 @@ void DriveReport::write() const {
     if (value.is_number_float()) value = std::round(1e3 * value.get<double>()) / 1e3;
   fmt::print("{}\n", told.dump());
   summary["runs"] = runs_;
-  opal::write_text((out_ / "summary.json").string(), summary.dump(1) + '\n');
+  write_text((out_ / "summary.json").string(), summary.dump(1) + '\n');
 }
+
+}  // namespace opal::cli

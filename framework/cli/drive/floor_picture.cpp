@@ -5,10 +5,12 @@
 
 #include <algorithm>
 
-std::string draw_floor(const opal::simulation::Simulation& simulation, const opal::Point& refused,
+namespace opal::cli {
+
+std::string draw_floor(const simulation::Simulation& simulation, const Point& refused,
                        const std::filesystem::path& folder) {
-  opal::DrawingScene scene;
-  const opal::SemanticMap& map = simulation.building();
+  DrawingScene scene;
+  const SemanticMap& map = simulation.building();
   scene.map = {std::shared_ptr<const void>(), &map};  // the simulation's own
   scene.title = map.name() + ": where a start or a goal can be";
   scene.floor = simulation.floor().rectangles();
@@ -20,9 +22,11 @@ std::string draw_floor(const opal::simulation::Simulation& simulation, const opa
   if (((refused - low).array() >= 0).all() && ((high - refused).array() >= 0).all())
     scene.places = {{refused, "the place that was refused"}};
   else
-    scene.notes.push_back("The place that was refused lies beyond the picture, at " + opal::place_text(refused) + ".");
+    scene.notes.push_back("The place that was refused lies beyond the picture, at " + place_text(refused) + ".");
   std::filesystem::create_directories(folder);
-  opal::write_svg(scene, (folder / "floor.svg").string());
-  opal::write_png(scene, (folder / "floor.png").string());
+  write_svg(scene, (folder / "floor.svg").string());
+  write_png(scene, (folder / "floor.png").string());
   return (folder / "floor.svg").string();
 }
+
+}  // namespace opal::cli

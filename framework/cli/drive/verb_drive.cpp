@@ -23,114 +23,112 @@
 #include <iostream>
 #include <optional>
 
+namespace opal::cli {
 namespace {
 
-namespace sim = opal::simulation;
-namespace navigation = opal::navigation;
+namespace sim = simulation;
+namespace navigation = navigation;
 
 struct DriveVerbOptions : WorldOptions {
   std::string config, map, out = "out", behaviour, trees, localizer, record, storey;
   std::vector<double> goal, start;
   std::uint64_t seed = 1;
   int runs = 1;
-  opal::ClosedLoopOptions loop;
+  ClosedLoopOptions loop;
 };
 
 /// @throws ConfigError if the robot cannot be there, or cannot get there: why, and the name of a picture that shows
 /// where it can be.
 void check_place(const DriveVerbOptions& options, const sim::Simulation& simulation, const std::string& what,
-                 const opal::Point& place) {
-  const std::string why = opal::why_not_at(simulation, place);
+                 const Point& place) {
+  const std::string why = why_not_at(simulation, place);
   if (why.empty()) return;
   const std::string picture = draw_floor(simulation, place, options.out);
-  throw opal::ConfigError(what + opal::place_text(place) + ": " + why + "; expected a place on the green floor of " +
-                          picture);
+  throw ConfigError(what + place_text(place) + ": " + why + "; expected a place on the green floor of " + picture);
 }
 
 /// Goals beside something are for the nearest place where the robot has room.
-opal::Point given_goal(const DriveVerbOptions& options, const sim::Simulation& simulation) {
-  const opal::Point goal(options.goal[0], options.goal[1]);
+Point given_goal(const DriveVerbOptions& options, const sim::Simulation& simulation) {
+  const Point goal(options.goal[0], options.goal[1]);
   const auto near = simulation.floor().nearest(goal);
   if (!near)
-    check_place(options, simulation,
-                "--goal: no way from " + opal::place_text(simulation.T_map_base().position()) + " to ", goal);
+    check_place(options, simulation, "--goal: no way from " + place_text(simulation.T_map_base().position()) + " to ",
+                goal);
   return near.value_or(goal);
 }
 
 /// Draws what was not given, the same way for every behaviour.
 /// @param floor  by which the robot plans.
-DriveTask task_of(const DriveVerbOptions& options, sim::Simulation& simulation, const opal::FloorGrid& floor,
+DriveTask task_of(const DriveVerbOptions& options, sim::Simulation& simulation, const FloorGrid& floor,
                   std::uint64_t seed) {
-  opal::Random random(seed ^ 0x9e3779b97f4a7c15u);
+  Random random(seed ^ 0x9e3779b97f4a7c15u);
   if (!options.start.empty()) {
-    const opal::Pose2 start(options.start[0], options.start[1], options.start[2]);
+    const Pose2 start(options.start[0], options.start[1], options.start[2]);
     check_place(options, simulation, "--start: no robot can drive from ", start.position());
     simulation.place(start);
   }
-  DriveTask task{seed, simulation.T_map_base(), opal::Point::Zero(), simulation.unmapped()};
+  DriveTask task{seed, simulation.T_map_base(), Point::Zero(), simulation.unmapped()};
   if (!options.goal.empty()) {
     task.goal = given_goal(options, simulation);
     return task;
   }
-  if (const auto goal = opal::drawn_goal(simulation, floor, random)) {
+  if (const auto goal = drawn_goal(simulation, floor, random)) {
     task.goal = *goal;
     return task;
   }
-  throw opal::ConfigError(simulation.building().name() + ": no goal to draw: by the map, no way leads from the start " +
-                          "to any other place, expected --start and --goal, or another --robot-radius");
+  throw ConfigError(simulation.building().name() + ": no goal to draw: by the map, no way leads from the start " +
+                    "to any other place, expected --start and --goal, or another --robot-radius");
 }
 
 /// Another program that localizes, in the building that is driven in.
-std::unique_ptr<navigation::Localization> connected(const std::string& address, const opal::LaserModel& laser,
-                                                    const opal::SemanticMap& map) {
-  auto localization = std::make_unique<opal::remote::RemoteLocalization>(address, laser);
-  const opal::SemanticMap& theirs = localization->map().map();
+std::unique_ptr<navigation::Localization> connected(const std::string& address, const LaserModel& laser,
+                                                    const SemanticMap& map) {
+  auto localization = std::make_unique<remote::RemoteLocalization>(address, laser);
+  const SemanticMap& theirs = localization->map().map();
   if (theirs.to_json_ld() != map.to_json_ld())
-    throw opal::ConfigError("--localizer: " + address + " localizes in another map, '" + theirs.name() +
-                            "', expected the one that is driven in, '" + map.name() + "'");
+    throw ConfigError("--localizer: " + address + " localizes in another map, '" + theirs.name() +
+                      "', expected the one that is driven in, '" + map.name() + "'");
   return localization;
 }
 
-std::unique_ptr<navigation::Localization> localization_of(const DriveVerbOptions& options,
-                                                          const opal::Deployment& deployment,
-                                                          const opal::PluginRegistry& registry,
-                                                          const std::shared_ptr<const opal::SemanticMap>& map) {
+std::unique_ptr<navigation::Localization> localization_of(const DriveVerbOptions& options, const Deployment& deployment,
+                                                          const PluginRegistry& registry,
+                                                          const std::shared_ptr<const SemanticMap>& map) {
   if (!options.localizer.empty()) return connected(options.localizer, deployment.lasers.front(), *map);
   return std::make_unique<navigation::OwnLocalizerQueries>(
-      std::make_unique<opal::Localizer>(opal::build_parts(deployment, registry, map)), deployment.lasers.front());
+      std::make_unique<Localizer>(build_parts(deployment, registry, map)), deployment.lasers.front());
 }
 
 /// Where a robot drives, and by what.
 struct DriveSetup {
-  opal::PluginRegistry plugins;
-  opal::Deployment deployment;
-  std::shared_ptr<const opal::SemanticMap> map;
+  PluginRegistry plugins;
+  Deployment deployment;
+  std::shared_ptr<const SemanticMap> map;
   std::unique_ptr<navigation::Localization> localization;
   std::string trees;
 };
 
 /// What a drive takes place in: the building, or one of the storeys that its map holds.
-std::shared_ptr<const opal::SemanticMap> driven_map(const DriveVerbOptions& options,
-                                                    const std::shared_ptr<const opal::SemanticMap>& map,
-                                                    std::uint64_t seed) {
+std::shared_ptr<const SemanticMap> driven_map(const DriveVerbOptions& options,
+                                              const std::shared_ptr<const SemanticMap>& map, std::uint64_t seed) {
   const auto& storeys = map->origin().storeys;
-  if (!options.storey.empty()) return opal::storey_of_map(*map, options.storey);
-  return storeys.empty() ? map : opal::storey_of_map(*map, storeys[seed % storeys.size()].id);
+  if (!options.storey.empty()) return storey_of_map(*map, options.storey);
+  return storeys.empty() ? map : storey_of_map(*map, storeys[seed % storeys.size()].id);
 }
 
 DriveSetup set_up(DriveVerbOptions& options) {
   options.loop.motion.omnidirectional = options.world.drive == sim::Drive::omnidirectional;
   options.loop.motion.radius_m = options.world.robot_radius_m;
-  opal::Deployment deployment = opal::read_deployment(opal::session::config_file(options.config));
-  DriveSetup setup{opal::session::load_plugins(deployment), std::move(deployment), {}, {}, {}};
+  Deployment deployment = read_deployment(session::config_file(options.config));
+  DriveSetup setup{session::load_plugins(deployment), std::move(deployment), {}, {}, {}};
   options.take_laser(setup.deployment);
   setup.deployment.lasers.front() = options.world.laser;
   setup.deployment.map = options.map;
-  setup.map = opal::session::load_map(setup.plugins, setup.deployment);
+  setup.map = session::load_map(setup.plugins, setup.deployment);
   driven_map(options, setup.map, options.seed);  // an unknown storey is told before the map is indexed
   options.furnish(setup.plugins, *setup.map);
   setup.localization = localization_of(options, setup.deployment, setup.plugins, setup.map);
-  setup.trees = opal::session::config_file(options.trees.empty() ? "behaviours" : options.trees);
+  setup.trees = session::config_file(options.trees.empty() ? "behaviours" : options.trees);
   navigation::read_tree(navigation::standard_nodes(), setup.trees, options.behaviour);  // before anything is written
   if (options.behaviour.empty()) options.behaviour = navigation::first_tree(setup.trees);
   return setup;
@@ -139,10 +137,10 @@ DriveSetup set_up(DriveVerbOptions& options) {
 /// The task of a seed; none: no drive is possible with it, and others may be.
 /// @throws ConfigError if it is the only one.
 std::optional<DriveTask> possible_task(const DriveVerbOptions& options, sim::Simulation& simulation,
-                                       const opal::FloorGrid& floor, std::uint64_t seed) {
+                                       const FloorGrid& floor, std::uint64_t seed) {
   try {
     return task_of(options, simulation, floor, seed);
-  } catch (const opal::ConfigError& error) {
+  } catch (const ConfigError& error) {
     if (options.runs == 1) throw;
     std::cerr << "seed " << seed << ": no drive: " << error.what() << '\n';
     return std::nullopt;
@@ -152,7 +150,7 @@ std::optional<DriveTask> possible_task(const DriveVerbOptions& options, sim::Sim
 /// Drives one after the other until a stop is asked for; a drive that it cuts is left out.
 void drive_all(const DriveVerbOptions& options, DriveSetup& setup, DriveReport& report,
                sim::DriveRecording& recording) {
-  const opal::FloorGrid floor =
+  const FloorGrid floor =
       navigation::mapped_floor(setup.localization->map(), 0.8 * options.world.robot_radius_m, options.world.outdoors);
   const navigation::NodeRegistry nodes = navigation::standard_nodes();
   for (int k = 0; k < options.runs; ++k) {
@@ -161,8 +159,7 @@ void drive_all(const DriveVerbOptions& options, DriveSetup& setup, DriveReport& 
     const std::optional<DriveTask> task = possible_task(options, simulation, floor, seed);
     if (!task) continue;
     const auto tree = navigation::read_tree(nodes, setup.trees, options.behaviour);
-    const opal::DriveRecord record =
-        opal::drive_to_goal(simulation, *setup.localization, floor, *tree, task->goal, options.loop);
+    const DriveRecord record = drive_to_goal(simulation, *setup.localization, floor, *tree, task->goal, options.loop);
     if (options.loop.stop.stop_requested()) return;
     report.add(*task, record);
     if (!options.record.empty()) recording.end_drive(seed, record.driven_m);
@@ -175,13 +172,11 @@ int drive(DriveVerbOptions options) {
   DriveSetup setup = set_up(options);
   const StopSignals signals;
   options.loop.stop = signals.token();
-  opal::OutputFolder folder(options.out, "opal drive", {"summary.json", "drive_*.svg", "drive_*.png"});
+  OutputFolder folder(options.out, "opal drive", {"summary.json", "drive_*.svg", "drive_*.png"});
   DriveReport report(setup.map, options.behaviour, folder.path());
   sim::DriveRecording recording(setup.deployment.lasers.front());
   if (!options.record.empty())
-    options.loop.witness = [&](const opal::RawScan& scan, const opal::Pose2& T_map_base) {
-      recording.witness(scan, T_map_base);
-    };
+    options.loop.witness = [&](const RawScan& scan, const Pose2& T_map_base) { recording.witness(scan, T_map_base); };
   drive_all(options, setup, report, recording);
   report.write();
   if (!options.record.empty() && report.drives() > 0)
@@ -192,7 +187,7 @@ int drive(DriveVerbOptions options) {
 
 }  // namespace
 
-void opal::add_drive_verb(CLI::App& app, int& exit_code) {
+void add_drive_verb(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<DriveVerbOptions>();
   CLI::App* verb = app.add_subcommand("drive", "let a simulated robot find out where it is and drive to a goal");
   verb->add_option("CONFIG", options->config,
@@ -225,3 +220,5 @@ void opal::add_drive_verb(CLI::App& app, int& exit_code) {
   verb->add_option("--speed", options->loop.motion.speed_mps, "the fastest [m/s]")->capture_default_str();
   verb->callback([options, &exit_code] { exit_code = drive(*options); });
 }
+
+}  // namespace opal::cli

@@ -24,14 +24,15 @@
 #include <sstream>
 #include <thread>
 
+namespace opal::cli {
 namespace {
 
 namespace fs = std::filesystem;
-namespace experiments = opal::experiments;
-using opal::simulation::SuiteBuilding;
+namespace experiments = experiments;
+using simulation::SuiteBuilding;
 
 struct BuildingsVerbOptions {
-  opal::simulation::SuiteRequest suite;
+  simulation::SuiteRequest suite;
   experiments::BuildingsOptions runs;
   std::vector<std::string> configs{"default"}, only;
   std::string out;
@@ -73,12 +74,12 @@ std::string command_of(const BuildingsVerbOptions& o, bool with_choice) {
 
 std::vector<experiments::BuildingRuns> run(const BuildingsVerbOptions& options, const std::vector<SuiteBuilding>& suite,
                                            const std::stop_token& stop) {
-  const opal::PluginRegistry registry = opal::session::load_plugins();
+  const PluginRegistry registry = session::load_plugins();
   experiments::BuildingsOptions runs = options.runs;
   runs.contenders = contenders(options.configs);
-  if (options.record) opal::make_folder(runs.recordings = (fs::path(options.out) / "recordings").string());
+  if (options.record) make_folder(runs.recordings = (fs::path(options.out) / "recordings").string());
   std::vector<std::vector<experiments::BuildingRuns>> parts(suite.size());
-  opal::benchmark::ProgressBar bar;
+  benchmark::ProgressBar bar;
   std::mutex counting;
   double finished = 0;
   const auto run = [&](std::size_t k) {
@@ -91,24 +92,23 @@ std::vector<experiments::BuildingRuns> run(const BuildingsVerbOptions& options, 
 }
 
 void write(const experiments::BuildingsExperiment& experiment, const fs::path& out) {
-  const opal::Table rows = buildings_table(experiment);
+  const Table rows = buildings_table(experiment);
   const std::string table = markdown_of(rows);
   std::cout << table;
-  opal::write_table((out / "table").string(), rows);
-  for (const auto& [name, plot] : share_plots(experiment))
-    opal::write_figure((out / ("figure_" + name)).string(), plot);
-  opal::write_text((out / "table.txt").string(), table);
-  opal::write_text((out / "buildings.json").string(), to_json(experiment).dump(1) + '\n');
-  opal::write_text((out / "report.html").string(), buildings_page(experiment));
+  write_table((out / "table").string(), rows);
+  for (const auto& [name, plot] : share_plots(experiment)) write_figure((out / ("figure_" + name)).string(), plot);
+  write_text((out / "table.txt").string(), table);
+  write_text((out / "buildings.json").string(), to_json(experiment).dump(1) + '\n');
+  write_text((out / "report.html").string(), buildings_page(experiment));
   std::cout << "written: buildings.json, table.txt, table.*, report.html, figure_* in " << out.string() << '\n';
 }
 
 int buildings(const BuildingsVerbOptions& options) {
   const std::vector<SuiteBuilding> suite = chosen(building_suite(options.suite), options.only);
-  chosen(opal::simulation::thesis3_challenges(), options.runs.challenges);  // all of them are there
-  const StopSignals signals;                                                // before other threads
-  opal::OutputFolder folder(options.out, "opal experiment buildings",
-                            {"buildings.json", "table.*", "report.html", "figure_*"});
+  chosen(simulation::thesis3_challenges(), options.runs.challenges);  // all of them are there
+  const StopSignals signals;                                          // before other threads
+  OutputFolder folder(options.out, "opal experiment buildings",
+                      {"buildings.json", "table.*", "report.html", "figure_*"});
   experiments::BuildingsExperiment experiment;
   experiment.command = command_of(options, true);
   experiment.run_command = command_of(options, false);
@@ -159,3 +159,5 @@ void add_experiment_buildings(CLI::App& experiment, int& exit_code) {
   verb->add_flag("--record", o->record, "keep a recording of every run in OUT/recordings, as opal bench takes it");
   verb->callback([o, &exit_code] { exit_code = buildings(*o); });
 }
+
+}  // namespace opal::cli

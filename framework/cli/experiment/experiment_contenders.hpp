@@ -13,22 +13,23 @@
 #include <algorithm>
 #include <filesystem>
 
+namespace opal::cli {
+
 /// Configurations by file, or by name if they ship.
-inline std::vector<opal::experiments::Contender> contenders(const std::vector<std::string>& configs) {
-  std::vector<opal::experiments::Contender> all;
+inline std::vector<experiments::Contender> contenders(const std::vector<std::string>& configs) {
+  std::vector<experiments::Contender> all;
   for (const std::string& config : configs)
-    all.push_back(
-        {std::filesystem::path(config).stem().string(), opal::read_deployment(opal::session::config_file(config)), ""});
+    all.push_back({std::filesystem::path(config).stem().string(), read_deployment(session::config_file(config)), ""});
   return all;
 }
 
 /// The map that is asked for, or a building of our own.
-inline std::shared_ptr<const opal::SemanticMap> building(const opal::PluginRegistry& registry, const std::string& map,
-                                                         const std::string& kind) {
-  if (!map.empty()) return opal::session::load_map(registry, map);
-  opal::simulation::BuildingRequest request;
+inline std::shared_ptr<const SemanticMap> building(const PluginRegistry& registry, const std::string& map,
+                                                   const std::string& kind) {
+  if (!map.empty()) return session::load_map(registry, map);
+  simulation::BuildingRequest request;
   request.kind = kind;
-  return opal::simulation::generate_building(request).map;
+  return simulation::generate_building(request).map;
 }
 
 /// Those that are asked for. @throws opal::ConfigError naming what there is none of.
@@ -37,8 +38,9 @@ std::vector<Named> chosen(std::vector<Named> all, const std::vector<std::string>
   if (only.empty()) return all;
   for (const std::string& id : only)
     if (std::none_of(all.begin(), all.end(), [&](const Named& one) { return one.id == id; }))
-      throw opal::ConfigError("experiment: none is called '" + id + "', expected some of " +
-                              opal::listed_by(all, &Named::id));
+      throw ConfigError("experiment: none is called '" + id + "', expected some of " + listed_by(all, &Named::id));
   std::erase_if(all, [&](const Named& one) { return std::find(only.begin(), only.end(), one.id) == only.end(); });
   return all;
 }
+
+}  // namespace opal::cli

@@ -20,9 +20,10 @@
 #include <mutex>
 #include <thread>
 
+namespace opal::cli {
 namespace {
 
-namespace experiments = opal::experiments;
+namespace experiments = experiments;
 
 struct FaultsVerbOptions {
   std::string config = "two_lasers", out;
@@ -41,7 +42,7 @@ std::vector<experiments::Trouble> chosen_troubles(const std::vector<std::string>
     if (found == all.end()) {
       std::string names;
       for (const auto& trouble : all) names += (names.empty() ? "\"" : ", \"") + trouble.name + "\"";
-      throw opal::ConfigError("--only: \"" + name + "\", expected one of " + names);
+      throw ConfigError("--only: \"" + name + "\", expected one of " + names);
     }
     troubles.push_back(*found);
   }
@@ -49,14 +50,14 @@ std::vector<experiments::Trouble> chosen_troubles(const std::vector<std::string>
 }
 
 std::vector<experiments::FaultRun> run_all(const FaultsVerbOptions& options, const std::stop_token& stop) {
-  const opal::Deployment deployment = opal::read_deployment(opal::session::config_file(options.config));
-  const opal::PluginRegistry registry = opal::session::load_plugins(deployment);
+  const Deployment deployment = read_deployment(session::config_file(options.config));
+  const PluginRegistry registry = session::load_plugins(deployment);
   if (!deployment.describes_laser || deployment.lasers.front().geometry_from_log)
-    throw opal::ConfigError(deployment.file + ": /sensor: describes no laser, expected one to simulate");
+    throw ConfigError(deployment.file + ": /sensor: describes no laser, expected one to simulate");
   const std::vector<experiments::Trouble> troubles = chosen_troubles(options.only);
   std::vector<experiments::FaultRun> runs(troubles.size() * static_cast<std::size_t>(options.drives));
   std::vector<char> is_done(runs.size(), 0);
-  opal::benchmark::ProgressBar bar;
+  benchmark::ProgressBar bar;
   std::mutex counting;
   double finished = 0;
   const auto run = [&](std::size_t k) {
@@ -75,9 +76,9 @@ std::vector<experiments::FaultRun> run_all(const FaultsVerbOptions& options, con
 
 int faults(const FaultsVerbOptions& options) {
   const StopSignals signals;  // before other threads
-  opal::OutputFolder folder(options.out, "opal experiment faults", drive_products());
+  OutputFolder folder(options.out, "opal experiment faults", drive_products());
   const std::vector<experiments::FaultRun> runs = run_all(options, signals.token());
-  const opal::Table table = fault_table(runs);
+  const Table table = fault_table(runs);
   std::cout << markdown_of(table);
   write_drives(options.out, table, fault_rows(runs));
   return end_run(folder, signals.token().stop_requested() ? signals.signal() : 0, kDone);
@@ -103,3 +104,5 @@ void add_experiment_faults(CLI::App& experiment, int& exit_code) {
   add_number(*verb, "--jobs", o->jobs, 1, 1000, "at the same time; results do not depend on it");
   verb->callback([o, &exit_code] { exit_code = faults(*o); });
 }
+
+}  // namespace opal::cli

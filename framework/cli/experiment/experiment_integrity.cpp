@@ -22,10 +22,11 @@
 #include <iostream>
 #include <thread>
 
+namespace opal::cli {
 namespace {
 
-namespace ab = opal::ab;
-namespace experiments = opal::experiments;
+namespace ab = ab;
+namespace experiments = experiments;
 namespace fs = std::filesystem;
 
 struct IntegrityVerbOptions {
@@ -36,14 +37,14 @@ struct IntegrityVerbOptions {
 };
 
 /// A deployment with lasers to simulate: its own, or the simulator's.
-opal::Deployment robot_of(const std::string& config) {
-  const opal::Deployment deployment = opal::read_deployment(opal::session::config_file(config));
+Deployment robot_of(const std::string& config) {
+  const Deployment deployment = read_deployment(session::config_file(config));
   if (deployment.describes_laser && !takes_geometry_from_log(deployment)) return deployment;
-  return with_lasers(deployment, {opal::simulation::SimulationOptions::default_laser()});
+  return with_lasers(deployment, {simulation::SimulationOptions::default_laser()});
 }
 
 nlohmann::ordered_json manifest_of(const IntegrityVerbOptions& options, const experiments::CampaignRobots& robots) {
-  const auto text_of = [](const opal::Deployment& robot) { return opal::read_json(robot.file); };
+  const auto text_of = [](const Deployment& robot) { return read_json(robot.file); };
   nlohmann::ordered_json campaign = to_json(options.campaign);
   campaign.erase("drives");  // no drive depends on how many there are: a campaign may grow
   return {{"opal", ab::program_files()},
@@ -81,14 +82,14 @@ void write_report(const IntegrityVerbOptions& options, const experiments::Campai
                   const experiments::CampaignRobots& robots, const ab::ResultFolder& folder) {
   const std::vector<experiments::JudgedDrive> drives = judged_drives(campaign, folder);
   const std::vector<experiments::Stratum> strata = experiments::strata_of(drives);
-  const opal::Table table = strata_table(strata);
+  const Table table = strata_table(strata);
   std::cout << markdown_of(table) << bound_sentence(strata.front()) << '\n';
-  opal::write_table(folder.file("table"), table);
-  opal::write_text(folder.file("table.txt"), markdown_of(table));
-  opal::write_text(folder.file("drives.csv"), csv_of(drive_rows(drives)));
-  opal::write_text(folder.file("summary.json"), summary_json(options.campaign, strata).dump(1) + '\n');
-  opal::write_text(folder.file("report.html"),
-                   integrity_page(command_of(options), strata, shown_worst(drives, robots, options)));
+  write_table(folder.file("table"), table);
+  write_text(folder.file("table.txt"), markdown_of(table));
+  write_text(folder.file("drives.csv"), csv_of(drive_rows(drives)));
+  write_text(folder.file("summary.json"), summary_json(options.campaign, strata).dump(1) + '\n');
+  write_text(folder.file("report.html"),
+             integrity_page(command_of(options), strata, shown_worst(drives, robots, options)));
   std::cout << "written: report.html, table.*, drives.csv, summary.json, worst in " << options.out << '\n';
 }
 
@@ -98,7 +99,7 @@ int run_campaign(const IntegrityVerbOptions& options, const experiments::Campaig
   const ab::ResultFolder folder(options.out, manifest_of(options, robots));
   const ab::Shard shard = ab::read_shard(options.shard);
   {
-    opal::benchmark::ProgressBar bar;
+    benchmark::ProgressBar bar;
     drive_campaign(
         campaign, robots, folder, shard, options.jobs,
         [&](std::size_t done, std::size_t all) {
@@ -116,20 +117,20 @@ int run_campaign(const IntegrityVerbOptions& options, const experiments::Campaig
 }
 
 int repeat(const IntegrityVerbOptions& options, const experiments::CampaignRobots& robots) {
-  const experiments::DrawnDrive drive = experiments::drawn_drive_from(opal::read_json(options.repeat), options.repeat);
-  opal::OutputFolder folder(options.out, "opal experiment integrity --repeat",
-                            {"drive.json", "events.jsonl", "page.html", "run.json", "picture.svg"});
+  const experiments::DrawnDrive drive = experiments::drawn_drive_from(read_json(options.repeat), options.repeat);
+  OutputFolder folder(options.out, "opal experiment integrity --repeat",
+                      {"drive.json", "events.jsonl", "page.html", "run.json", "picture.svg"});
   const experiments::ShownDrive shown = repeat_drive(drive, robots, folder.path());
   const nlohmann::ordered_json values = values_of(shown.drive.run);
-  opal::write_text(folder.file("run.json"), values.dump(1) + '\n');
-  opal::write_text(folder.file("picture.svg"), shown.picture);
+  write_text(folder.file("run.json"), values.dump(1) + '\n');
+  write_text(folder.file("picture.svg"), shown.picture);
   std::cout << values.dump(1) << "\nwritten: run.json, drive.json, events.jsonl, page.html, picture.svg in "
             << options.out << '\n';
   return end_run(folder, 0, kDone);
 }
 
 int integrity(const IntegrityVerbOptions& options) {
-  const opal::PluginRegistry registry = opal::session::load_plugins();
+  const PluginRegistry registry = session::load_plugins();
   const experiments::CampaignRobots robots{robot_of(options.one_laser), robot_of(options.two_lasers), &registry};
   check_parts(robots.one_laser, registry);
   check_parts(robots.two_lasers, registry);
@@ -160,3 +161,5 @@ void add_experiment_integrity(CLI::App& experiment, int& exit_code) {
   add_number(*verb, "--jobs", o->jobs, 1, 1000, "at the same time; results do not depend on it");
   verb->callback([o, &exit_code] { exit_code = integrity(*o); });
 }
+
+}  // namespace opal::cli

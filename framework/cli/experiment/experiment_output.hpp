@@ -16,6 +16,8 @@
 #include <sstream>
 #include <vector>
 
+namespace opal::cli {
+
 /// What the experiments of the thesis leave in their folder.
 inline std::vector<std::string> experiment_products() {
   return {"runs.csv", "table.*", "summary.json", "report.html", "figure_*"};
@@ -46,24 +48,24 @@ template <class Run>
 void write_time_figures(const std::filesystem::path& folder, std::span<const Run> runs, std::string Run::*name) {
   for (const Run& run : runs)
     if (run.seed == runs.front().seed && !run.moments.empty())
-      opal::write_figure((folder / ("figure_" + run.contender + '_' + run.*name)).string(),
-                         opal::experiments::lines_over_time(run.moments));
+      write_figure((folder / ("figure_" + run.contender + '_' + run.*name)).string(),
+                   experiments::lines_over_time(run.moments));
 }
 
 /// Leaves runs.csv, summary.json, report.html, the table and figures in a folder, and the table on stdout.
 template <class Run>
 void write_experiment(const std::string& out, std::span<const Run> runs, std::string Run::*name,
-                      const opal::experiments::ThesisTable& table, const nlohmann::ordered_json& summary,
+                      const experiments::ThesisTable& table, const nlohmann::ordered_json& summary,
                       const std::string& page) {
   const std::filesystem::path folder(out);
   std::ostringstream csv;
   write_runs(csv, runs);
   const std::string text = text_of(table);
-  opal::write_text((folder / "runs.csv").string(), csv.str());
-  opal::write_text((folder / "table.txt").string(), text);
-  opal::write_text((folder / "summary.json").string(), summary.dump(1) + '\n');
-  opal::write_text((folder / "report.html").string(), page);
-  opal::write_table((folder / "table").string(), rows_of(table));
+  write_text((folder / "runs.csv").string(), csv.str());
+  write_text((folder / "table.txt").string(), text);
+  write_text((folder / "summary.json").string(), summary.dump(1) + '\n');
+  write_text((folder / "report.html").string(), page);
+  write_table((folder / "table").string(), rows_of(table));
   write_time_figures(folder, runs, name);
   std::cout << text << "written: runs.csv, table.txt, table.*, summary.json, report.html, figure_* in " << out << '\n';
 }
@@ -72,10 +74,12 @@ void write_experiment(const std::string& out, std::span<const Run> runs, std::st
 inline std::vector<std::string> drive_products() { return {"drives.*", "table.*"}; }
 
 /// Leaves a table and a row a drive in a folder.
-inline void write_drives(const std::string& out, const opal::Table& table, const opal::Table& rows) {
+inline void write_drives(const std::string& out, const Table& table, const Table& rows) {
   const std::filesystem::path folder(out);
-  opal::write_text((folder / "table.txt").string(), markdown_of(table));
-  opal::write_table((folder / "table").string(), table);
-  opal::write_text((folder / "drives.csv").string(), csv_of(rows));
+  write_text((folder / "table.txt").string(), markdown_of(table));
+  write_table((folder / "table").string(), table);
+  write_text((folder / "drives.csv").string(), csv_of(rows));
   std::cout << "written: drives.csv, table.txt, table.* in " << out << '\n';
 }
+
+}  // namespace opal::cli

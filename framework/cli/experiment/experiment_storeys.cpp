@@ -24,45 +24,46 @@
 #include <mutex>
 #include <thread>
 
+namespace opal::cli {
 namespace {
 
-namespace experiments = opal::experiments;
+namespace experiments = experiments;
 
 struct StoreysVerbOptions : WorldOptions {
   std::string map, config = "default", out;
   bool has_recordings = false;
-  opal::simulation::RideDriveOptions ride;
+  simulation::RideDriveOptions ride;
   int drives = 40, rides = 40, jobs = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
   std::uint64_t first_seed = 1;
 };
 
 /// Which lift is taken from where to where.
 struct Trip {
-  const opal::MapConnection* lift = nullptr;
+  const MapConnection* lift = nullptr;
   std::string from, to;
 };
 
-std::vector<Trip> trips_of(const opal::SemanticMap& map) {
+std::vector<Trip> trips_of(const SemanticMap& map) {
   std::vector<Trip> trips;
-  for (const opal::MapConnection& lift : map.origin().connections)
-    for (const opal::Landing& from : lift.landings)
-      for (const opal::Landing& to : lift.landings)
+  for (const MapConnection& lift : map.origin().connections)
+    for (const Landing& from : lift.landings)
+      for (const Landing& to : lift.landings)
         if (lift.type == "opal:Lift" && from.storey != to.storey) trips.push_back({&lift, from.storey, to.storey});
   return trips;
 }
 
 class StoreyRuns {
  public:
-  StoreyRuns(const StoreysVerbOptions& options, const opal::LocalizerParts& parts)
+  StoreyRuns(const StoreysVerbOptions& options, const LocalizerParts& parts)
       : options_(options), parts_(parts), world_{parts, options.world}, trips_(trips_of(parts.map->map())) {
     if (options.has_recordings)
-      world_.keep = [&options](const opal::simulation::Recording& recording, std::uint64_t seed) {
+      world_.keep = [&options](const simulation::Recording& recording, std::uint64_t seed) {
         write_recording(recording, fmt::format("{}/recordings/{:05}", options.out, seed));
       };
     if (storeys().empty())
-      throw opal::MapError(options.map + ": holds no storeys, expected some (opal map stack, opal map import --all)");
+      throw MapError(options.map + ": holds no storeys, expected some (opal map stack, opal map import --all)");
     if (options.rides > 0 && trips_.empty())
-      throw opal::MapError(options.map + ": holds no lift that serves two storeys, expected one for --rides");
+      throw MapError(options.map + ": holds no lift that serves two storeys, expected one for --rides");
   }
 
   std::vector<experiments::StoreyRun> run(const std::stop_token& stop) {
@@ -77,7 +78,7 @@ class StoreyRuns {
   }
 
  private:
-  const std::vector<opal::MapStorey>& storeys() const { return parts_.map->map().origin().storeys; }
+  const std::vector<MapStorey>& storeys() const { return parts_.map->map().origin().storeys; }
 
   void run_one(std::size_t k) {
     const auto drives = static_cast<std::size_t>(options_.drives);
@@ -93,11 +94,11 @@ class StoreyRuns {
   }
 
   const StoreysVerbOptions& options_;
-  const opal::LocalizerParts& parts_;
+  const LocalizerParts& parts_;
   experiments::StoreyWorld world_;
   std::vector<Trip> trips_;
   std::vector<std::optional<experiments::StoreyRun>> runs_;
-  opal::benchmark::ProgressBar bar_;
+  benchmark::ProgressBar bar_;
   std::mutex counting_;
   double finished_ = 0;
 };
@@ -106,17 +107,17 @@ int storeys(StoreysVerbOptions options) {
   const StopSignals signals;  // before other threads
   std::vector<std::string> products = drive_products();
   products.push_back("recordings");
-  opal::OutputFolder folder(options.out, "opal experiment storeys", products);
-  opal::Deployment deployment = opal::read_deployment(opal::session::config_file(options.config));
-  const opal::PluginRegistry registry = opal::session::load_plugins(deployment);
+  OutputFolder folder(options.out, "opal experiment storeys", products);
+  Deployment deployment = read_deployment(session::config_file(options.config));
+  const PluginRegistry registry = session::load_plugins(deployment);
   options.take_laser(deployment);
   deployment.lasers = {options.world.laser};
   deployment.lasers.insert(deployment.lasers.end(), options.world.more_lasers.begin(), options.world.more_lasers.end());
   options.ride.drive.drives = 1;
-  const opal::LocalizerParts parts = build_parts(deployment, registry, opal::session::load_map(registry, options.map));
-  if (options.has_recordings) opal::make_folder(options.out + "/recordings");
+  const LocalizerParts parts = build_parts(deployment, registry, session::load_map(registry, options.map));
+  if (options.has_recordings) make_folder(options.out + "/recordings");
   const std::vector<experiments::StoreyRun> runs = StoreyRuns(options, parts).run(signals.token());
-  const opal::Table table = storey_table(runs);
+  const Table table = storey_table(runs);
   std::cout << markdown_of(table);
   const auto unreached = static_cast<std::size_t>(options.drives + options.rides) - runs.size();
   if (unreached > 0) std::cout << unreached << " rides did not take place: furniture or a wall was in the way\n";
@@ -148,3 +149,5 @@ void add_experiment_storeys(CLI::App& experiment, int& exit_code) {
   o->add_to(*verb);
   verb->callback([o, &exit_code] { exit_code = storeys(*o); });
 }
+
+}  // namespace opal::cli

@@ -12,18 +12,19 @@
 #include "common/whole_file.hpp"
 #include "map_tools/map_raster.hpp"
 
+namespace opal::cli {
 namespace {
 
 namespace fs = std::filesystem;
-namespace sim = opal::simulation;
-using namespace opal::experiments;
+namespace sim = simulation;
+using namespace experiments;
 
 std::string two_digits(int number) { return (number < 10 ? "0" : "") + std::to_string(number); }
 
 /// The drives of one challenge and seed, by everybody.
 class Challenges {
  public:
-  Challenges(const ExperimentOptions& options, const opal::PluginRegistry& registry)
+  Challenges(const ExperimentOptions& options, const PluginRegistry& registry)
       : options_(options),
         registry_(registry),
         contenders_(contenders(options.configs)),
@@ -31,11 +32,11 @@ class Challenges {
     for (const std::string& program : options.baselines)
       baselines_.push_back({program, fs::path(program).stem().string()});
     if (!keeps_logs()) return;
-    opal::make_folder(logs_.string());
-    opal::write_raster(opal::rasterized(*map_), grid());
+    make_folder(logs_.string());
+    write_raster(rasterized(*map_), grid());
   }
 
-  const opal::SemanticMap& map() const { return *map_; }
+  const SemanticMap& map() const { return *map_; }
 
   std::vector<ChallengeRun> run(const sim::Challenge& challenge, int seed) const {
     const sim::ChallengeDrive driven =
@@ -58,19 +59,19 @@ class Challenges {
   std::string grid() const { return (logs_ / "map.yaml").string(); }
 
   const ExperimentOptions& options_;
-  const opal::PluginRegistry& registry_;
+  const PluginRegistry& registry_;
   std::vector<Contender> contenders_;
   std::vector<Baseline> baselines_;
-  std::shared_ptr<const opal::SemanticMap> map_;
+  std::shared_ptr<const SemanticMap> map_;
   fs::path logs_ = fs::path(options_.out) / "logs";
 };
 
 }  // namespace
 
-int experiment_thesis3(const ExperimentOptions& options, const opal::PluginRegistry& registry) {
+int experiment_thesis3(const ExperimentOptions& options, const PluginRegistry& registry) {
   const std::vector<sim::Challenge> challenges = chosen(sim::thesis3_challenges(), options.only);
   const StopSignals signals;
-  opal::OutputFolder folder(options.out, "opal experiment thesis3", experiment_products());
+  OutputFolder folder(options.out, "opal experiment thesis3", experiment_products());
   const Challenges experiment(options, registry);
   const std::size_t each = challenges.size();
   std::vector<std::vector<ChallengeRun>> parts(each * static_cast<std::size_t>(options.seeds));
@@ -86,3 +87,5 @@ int experiment_thesis3(const ExperimentOptions& options, const opal::PluginRegis
                    challenge_summary(runs), challenge_page(experiment.map(), runs));
   return end_run(folder, signal, kDone);
 }
+
+}  // namespace opal::cli

@@ -10,29 +10,30 @@
 
 #include "navigation/node_registry.hpp"
 
+namespace opal::cli {
 namespace {
 
-using namespace opal::experiments;
+using namespace experiments;
 
 /// The thesis' own configurations drive as it does, others by the first tree.
 std::string behaviour_of(const std::string& contender, const ExperimentOptions& options, const std::string& trees) {
   if (!options.behaviour.empty()) return options.behaviour;
-  return contender.starts_with("thesis") ? "inspect" : opal::navigation::first_tree(trees);
+  return contender.starts_with("thesis") ? "inspect" : navigation::first_tree(trees);
 }
 
 std::vector<Contender> drivers(const ExperimentOptions& options, const std::string& trees) {
   std::vector<Contender> all = contenders(options.configs);
   for (Contender& contender : all) {
     contender.behaviour = behaviour_of(contender.name, options, trees);
-    opal::navigation::read_tree(opal::navigation::standard_nodes(), trees,
-                                contender.behaviour);  // before anything is written
+    navigation::read_tree(navigation::standard_nodes(), trees,
+                          contender.behaviour);  // before anything is written
   }
   return all;
 }
 
-GoalExperiment setting(const ExperimentOptions& options, const opal::PluginRegistry& registry) {
+GoalExperiment setting(const ExperimentOptions& options, const PluginRegistry& registry) {
   GoalExperiment experiment{building(registry, options.map, "gemini"), thesis_robot(), {}, options.trees};
-  if (experiment.trees.empty()) experiment.trees = opal::session::shipped_config("behaviours.jsonld");
+  if (experiment.trees.empty()) experiment.trees = session::shipped_config("behaviours.jsonld");
   experiment.loop.motion.radius_m = experiment.world.robot_radius_m;
   experiment.loop.most_s = options.most_s;
   return experiment;
@@ -40,19 +41,19 @@ GoalExperiment setting(const ExperimentOptions& options, const opal::PluginRegis
 
 std::string line_of(const GoalRun& run) {
   return run.contender + ' ' + run.task + " seed " + std::to_string(run.seed) + ": " +
-         opal::drive_ending(run.reached, run.said_so) + " after " + number(run.time_s, 0) + " s and " +
+         drive_ending(run.reached, run.said_so) + " after " + number(run.time_s, 0) + " s and " +
          number(run.driven_m, 1) + " m; " + std::to_string(run.collisions) + " collisions, " +
          std::to_string(run.false_scans) + " of " + std::to_string(run.scans) + " scans falsely localized\n";
 }
 
 }  // namespace
 
-int experiment_thesis4(const ExperimentOptions& options, const opal::PluginRegistry& registry) {
+int experiment_thesis4(const ExperimentOptions& options, const PluginRegistry& registry) {
   const GoalExperiment experiment = setting(options, registry);
   const std::vector<Contender> all = drivers(options, experiment.trees);
   const std::vector<GoalTask> tasks = chosen(thesis4_tasks(), options.only);
   const StopSignals signals;
-  opal::OutputFolder folder(options.out, "opal experiment thesis4", experiment_products());
+  OutputFolder folder(options.out, "opal experiment thesis4", experiment_products());
   const std::size_t each = all.size() * tasks.size();
   std::vector<std::vector<GoalRun>> parts(each * static_cast<std::size_t>(options.seeds));
   const auto run = [&](std::size_t k) {
@@ -67,3 +68,5 @@ int experiment_thesis4(const ExperimentOptions& options, const opal::PluginRegis
                    goal_page(*experiment.map, runs));
   return end_run(folder, signal, kDone);
 }
+
+}  // namespace opal::cli

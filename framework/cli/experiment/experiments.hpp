@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+namespace opal::cli {
+
 /// What all experiments have in common.
 struct ExperimentOptions {
   std::string name, out, map;        ///< no map: the building like the thesis'
@@ -18,6 +20,8 @@ struct ExperimentOptions {
 };
 
 /// The 14 challenges of Hendrikx (2023), section 3.5.2.
-int experiment_thesis3(const ExperimentOptions& options, const opal::PluginRegistry& registry);
+int experiment_thesis3(const ExperimentOptions& options, const PluginRegistry& registry);
 /// The 12 runs of its table 4.1.
-int experiment_thesis4(const ExperimentOptions& options, const opal::PluginRegistry& registry);
+int experiment_thesis4(const ExperimentOptions& options, const PluginRegistry& registry);
+
+}  // namespace opal::cli

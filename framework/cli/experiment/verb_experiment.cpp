@@ -8,16 +8,17 @@
 
 #include <opal/common/error.hpp>
 
+namespace opal::cli {
 namespace {
 
 int experiment(ExperimentOptions options) {
   const bool third = options.name == "thesis3";
   if (!third && (!options.baselines.empty() || options.logs))
-    throw opal::ConfigError("--baseline and --logs: are for thesis3; thesis4 closes the loop, which a log cannot");
+    throw ConfigError("--baseline and --logs: are for thesis3; thesis4 closes the loop, which a log cannot");
   if (options.configs.empty())
     options.configs =
         third ? std::vector<std::string>{"thesis3", "default"} : std::vector<std::string>{"thesis4", "default"};
-  const opal::PluginRegistry registry = opal::session::load_plugins();
+  const PluginRegistry registry = session::load_plugins();
   return third ? experiment_thesis3(options, registry) : experiment_thesis4(options, registry);
 }
 
@@ -57,7 +58,7 @@ void add_thesis(CLI::App& experiments, const std::string& name, const std::strin
 
 }  // namespace
 
-void opal::add_experiment_verb(CLI::App& app, int& exit_code) {
+void add_experiment_verb(CLI::App& app, int& exit_code) {
   CLI::App* experiments = app.add_subcommand(
       "experiment", "the experiments of Hendrikx (2023), in simulation, with several configurations");
   experiments->require_subcommand(1);
@@ -68,3 +69,5 @@ void opal::add_experiment_verb(CLI::App& app, int& exit_code) {
   add_experiment_integrity(*experiments, exit_code);
   add_experiment_storeys(*experiments, exit_code);
 }
+
+}  // namespace opal::cli

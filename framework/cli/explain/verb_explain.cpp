@@ -11,6 +11,7 @@
 #include <memory>
 #include <optional>
 
+namespace opal::cli {
 namespace {
 
 struct ExplainOptions {
@@ -22,7 +23,7 @@ struct ExplainOptions {
 struct ExplainedFrame {
   std::string time_line;
   double time_s = 0, stamp_s = 0;
-  opal::KeyframeId keyframe;
+  KeyframeId keyframe;
 };
 
 /// Names come from a recording: on a terminal they must not move the cursor or change colours.
@@ -32,19 +33,19 @@ std::string without_control_characters(std::string text) {
   return text;
 }
 
-void print_text(const ExplainedFrame& frame, const std::vector<opal::Sentence>& sentences) {
-  std::cout << without_control_characters(frame.time_line) << " at " << opal::seconds_text(frame.time_s)
-            << " (keyframe " << frame.keyframe << ", stamp " << opal::fixed_text(frame.stamp_s, 3) << ")\n";
-  for (const opal::Sentence& sentence : sentences) {
-    std::string kind = opal::name_of(sentence.kind);
+void print_text(const ExplainedFrame& frame, const std::vector<Sentence>& sentences) {
+  std::cout << without_control_characters(frame.time_line) << " at " << seconds_text(frame.time_s) << " (keyframe "
+            << frame.keyframe << ", stamp " << fixed_text(frame.stamp_s, 3) << ")\n";
+  for (const Sentence& sentence : sentences) {
+    std::string kind = name_of(sentence.kind);
     kind.resize(8, ' ');
     std::cout << kind << without_control_characters(sentence.text) << '\n';
   }
 }
 
-void print_json(const ExplainedFrame& frame, const std::vector<opal::Sentence>& sentences) {
+void print_json(const ExplainedFrame& frame, const std::vector<Sentence>& sentences) {
   nlohmann::ordered_json words = nlohmann::ordered_json::array();
-  for (const opal::Sentence& sentence : sentences) words.push_back({opal::name_of(sentence.kind), sentence.text});
+  for (const Sentence& sentence : sentences) words.push_back({name_of(sentence.kind), sentence.text});
   std::cout << nlohmann::ordered_json{{"query", frame.time_line},
                                       {"time_s", frame.time_s},
                                       {"stamp_s", frame.stamp_s},
@@ -55,15 +56,14 @@ void print_json(const ExplainedFrame& frame, const std::vector<opal::Sentence>& 
 }
 
 int explain(const ExplainOptions& options) {
-  const opal::Moment moment = opal::parse_moment(options.at, options.query);
-  std::optional<opal::Explainer> explainer;
+  const Moment moment = parse_moment(options.at, options.query);
+  std::optional<Explainer> explainer;
   ExplainedFrame newest;
-  const auto reading =
-      opal::read_until(options.out, moment, [&](const opal::RunHeader& header, const opal::RunFrame& frame) {
-        if (!explainer) explainer.emplace(header);
-        explainer->take(frame);
-        newest = {frame.starts.value_or(newest.time_line), frame.time_s, frame.stamp_s, frame.keyframe};
-      });
+  const auto reading = read_until(options.out, moment, [&](const RunHeader& header, const RunFrame& frame) {
+    if (!explainer) explainer.emplace(header);
+    explainer->take(frame);
+    newest = {frame.starts.value_or(newest.time_line), frame.time_s, frame.stamp_s, frame.keyframe};
+  });
   const auto sentences = explainer->explanation();
   options.as_json ? print_json(newest, sentences) : print_text(newest, sentences);
   for (const std::string& note : reading.notes) std::cerr << "opal: " << options.out << ": " << note << '\n';
@@ -72,7 +72,7 @@ int explain(const ExplainOptions& options) {
 
 }  // namespace
 
-void opal::add_explain_verb(CLI::App& app, int& exit_code) {
+void add_explain_verb(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<ExplainOptions>();
   CLI::App* verb = app.add_subcommand("explain", "why it believed what it believed at a moment of a run, in words");
   verb->add_option("OUT", options->out, "folder that 'opal localize -o' wrote")->required();
@@ -84,3 +84,5 @@ void opal::add_explain_verb(CLI::App& app, int& exit_code) {
   verb->add_flag("--json", options->as_json, "print JSON");
   verb->callback([options, &exit_code] { exit_code = explain(*options); });
 }
+
+}  // namespace opal::cli

@@ -1,6 +1,6 @@
 #include "cli/info/contents_text.hpp"
 
-namespace opal {
+namespace opal::cli {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -101,4 +101,4 @@ Json contents_json(const LogContents& contents) {
   return json;
 }
 
-}  // namespace opal
+}  // namespace opal::cli

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace opal {
+namespace opal::cli {
 namespace {
 
 // Later than 2001: such times are since 1970 and not since the start of a clock of the log's own.
@@ -204,4 +204,4 @@ std::string contents_text(const LogContents& contents) {
          frame_lines(contents) + defect_lines(contents);
 }
 
-}  // namespace opal
+}  // namespace opal::cli

@@ -13,7 +13,7 @@
 #include <iostream>
 #include <numbers>
 
-namespace opal {
+namespace opal::cli {
 namespace {
 
 /// Logs hold single precision: more digits would only look like knowledge.
@@ -143,4 +143,4 @@ void write_deployment(const nlohmann::ordered_json& lines, const std::string& co
   std::cerr << "written: " << out << '\n';
 }
 
-}  // namespace opal
+}  // namespace opal::cli

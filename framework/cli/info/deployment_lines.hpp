@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace opal {
+namespace opal::cli {
 
 /// What of a deployment a log tells: `sensor` and `log_sources`. Empty if the log has no laser that is read.
 /// @param source  the log source that recognizes the log: "opal:Ros2Bag"
@@ -17,4 +17,4 @@ std::string doubt_of_lines(const LogContents& contents);
 /// @param config  its path, or the name of one that ships. @throws ConfigError if something is wrong with it.
 void write_deployment(const nlohmann::ordered_json& lines, const std::string& config, const std::string& out);
 
-}  // namespace opal
+}  // namespace opal::cli

@@ -9,6 +9,7 @@
 
 #include <iostream>
 
+namespace opal::cli {
 namespace {
 
 struct InfoOptions {
@@ -18,31 +19,31 @@ struct InfoOptions {
 };
 
 int info(const InfoOptions& options) {
-  const opal::PluginRegistry registry = opal::session::load_plugins();
-  const std::string source = opal::session::log_source_of(registry, options.log);
-  const auto reader = opal::session::log_source(registry, source, {}, options.words);
-  opal::LogContents contents = reader->contents(options.log);
+  const PluginRegistry registry = session::load_plugins();
+  const std::string source = session::log_source_of(registry, options.log);
+  const auto reader = session::log_source(registry, source, {}, options.words);
+  LogContents contents = reader->contents(options.log);
   if (contents.format.empty()) contents.format = "log read by " + source;
-  const nlohmann::ordered_json lines = opal::deployment_lines(contents, source);
+  const nlohmann::ordered_json lines = deployment_lines(contents, source);
   if (!options.out.empty() && lines.empty())
-    throw opal::LogError(options.log + ": no laser that can be read, expected one for a deployment");
+    throw LogError(options.log + ": no laser that can be read, expected one for a deployment");
   if (options.as_json) {
-    nlohmann::ordered_json json = opal::contents_json(contents);
+    nlohmann::ordered_json json = contents_json(contents);
     json["deployment"] = lines;
     std::cout << json.dump(2) << '\n';
   } else {
-    std::cout << opal::contents_text(contents);
+    std::cout << contents_text(contents);
     if (!lines.empty()) std::cout << "\nfor the deployment (-o FILE writes one)\n" << lines.dump(2) << '\n';
   }
-  if (!options.out.empty()) opal::write_deployment(lines, options.config, options.out);
-  if (const std::string doubt = opal::doubt_of_lines(contents); !doubt.empty() && !options.as_json)
+  if (!options.out.empty()) write_deployment(lines, options.config, options.out);
+  if (const std::string doubt = doubt_of_lines(contents); !doubt.empty() && !options.as_json)
     std::cerr << "note: " << doubt << '\n';
   return lines.empty() ? kNo : kDone;
 }
 
 }  // namespace
 
-void opal::add_info_verb(CLI::App& app, int& exit_code) {
+void add_info_verb(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<InfoOptions>();
   CLI::App* verb = app.add_subcommand("info", "what is in a recorded log, and what of it a deployment needs");
   verb->add_option("LOG", options->log, "recorded log, of any kind that a log source reads")->required();
@@ -52,3 +53,5 @@ void opal::add_info_verb(CLI::App& app, int& exit_code) {
   add_log_words(*verb, options->words);
   verb->callback([options, &exit_code] { exit_code = info(*options); });
 }
+
+}  // namespace opal::cli

@@ -15,76 +15,75 @@
 #include <iostream>
 #include <memory>
 
+namespace opal::cli {
 namespace {
 
 struct LearnOptions {
   DriveInputs inputs;
   std::string out, evidence, csv, png, svg;
   bool is_pushed = false;
-  double least_probability = opal::kLeastProbability;
+  double least_probability = kLeastProbability;
 };
 
-void write_evidence(const std::vector<opal::DriveEvidence>& drives, const std::string& file) {
+void write_evidence(const std::vector<DriveEvidence>& drives, const std::string& file) {
   nlohmann::ordered_json all = nlohmann::ordered_json::array();
-  for (const opal::DriveEvidence& drive : drives) all.push_back(opal::to_json(drive));
-  opal::write_text(file, all.dump(1) + '\n');
+  for (const DriveEvidence& drive : drives) all.push_back(to_json(drive));
+  write_text(file, all.dump(1) + '\n');
 }
 
-void draw(const std::shared_ptr<const opal::SemanticMap>& map, const opal::Learned& learned,
-          const LearnOptions& options) {
-  opal::DrawingScene scene;
+void draw(const std::shared_ptr<const SemanticMap>& map, const Learned& learned, const LearnOptions& options) {
+  DrawingScene scene;
   scene.title = map->name() + ": what drives have taught";
   scene.map = map;
-  for (const opal::Proposal& proposal : learned.proposals) {
-    if (proposal.change == opal::Change::added) scene.unmapped.push_back(proposal.face);
-    for (const opal::MapFeature& feature : map->features()) {
+  for (const Proposal& proposal : learned.proposals) {
+    if (proposal.change == Change::added) scene.unmapped.push_back(proposal.face);
+    for (const MapFeature& feature : map->features()) {
       if (map->object(feature.object).id != proposal.id) continue;
-      const auto* face = std::get_if<opal::Segment>(&feature.geometry);
-      if (proposal.change == opal::Change::gone && face) scene.contradictions.push_back({face->begin, face->end});
-      if (proposal.change == opal::Change::moved)
+      const auto* face = std::get_if<Segment>(&feature.geometry);
+      if (proposal.change == Change::gone && face) scene.contradictions.push_back({face->begin, face->end});
+      if (proposal.change == Change::moved)
         scene.local_features.push_back(
-            {transformed(opal::Pose2(proposal.moved, 0), feature.geometry), opal::DrawingScene::Perception::matched});
+            {transformed(Pose2(proposal.moved, 0), feature.geometry), DrawingScene::Perception::matched});
     }
   }
-  if (!options.svg.empty()) opal::write_svg(scene, options.svg);
-  if (!options.png.empty()) opal::write_png(scene, options.png);
+  if (!options.svg.empty()) write_svg(scene, options.svg);
+  if (!options.png.empty()) write_png(scene, options.png);
 }
 
-void print(const opal::Learned& learned, double least_probability) {
-  for (const opal::Proposal& proposal : learned.proposals)
+void print(const Learned& learned, double least_probability) {
+  for (const Proposal& proposal : learned.proposals)
     fmt::print("{} {} {}: {}\n", proposal.probability >= least_probability ? " " : "?", name_of(proposal.change),
                proposal.id, sentence_of(proposal));
   fmt::print("{} objects stand where the map says; of {} nothing is known\n", learned.sound, learned.unseen);
 }
 
-void write_overlay(const opal::SemanticMap& map, const opal::Learned& learned, const std::string& sensor,
+void write_overlay(const SemanticMap& map, const Learned& learned, const std::string& sensor,
                    const LearnOptions& options) {
   if (options.out.empty()) return;
-  opal::write_text(options.out, opal::overlay_of(map, learned, sensor, options.least_probability).dump(1) + '\n');
+  write_text(options.out, overlay_of(map, learned, sensor, options.least_probability).dump(1) + '\n');
   std::cout << "written: " << options.out << '\n';
 }
 
 /// What cannot be pushed is found out before hours of logs are played.
-void expect_pushable(const LearnOptions& options, const opal::Deployment& deployment) {
+void expect_pushable(const LearnOptions& options, const Deployment& deployment) {
   if (options.out.empty() && !options.is_pushed)
     throw CLI::ValidationError("-o is missing, expected an overlay to write (.jsonld), or --push");
-  const std::string objection = options.is_pushed ? opal::objection_to_push(deployment) : "";
+  const std::string objection = options.is_pushed ? objection_to_push(deployment) : "";
   if (!objection.empty()) throw CLI::ValidationError(objection);
 }
 
 /// @return whether the store has it. Otherwise it waits on this machine, for the next time.
-bool push(const opal::PluginRegistry& registry, const opal::StoreSource& version,
-          const std::vector<opal::DriveEvidence>& drives) {
-  const auto store = opal::session::map_store(registry);
-  const opal::EvidenceOutbox outbox = opal::EvidenceOutbox::usual();
-  for (const opal::DriveEvidence& drive : drives)
-    if (!drive.visits.empty()) outbox.keep(store->where(), version, opal::to_json(drive).dump());
+bool push(const PluginRegistry& registry, const StoreSource& version, const std::vector<DriveEvidence>& drives) {
+  const auto store = session::map_store(registry);
+  const EvidenceOutbox outbox = EvidenceOutbox::usual();
+  for (const DriveEvidence& drive : drives)
+    if (!drive.visits.empty()) outbox.keep(store->where(), version, to_json(drive).dump());
   try {
-    const opal::SentEvidence sent = opal::send_waiting(*store, outbox);
+    const SentEvidence sent = send_waiting(*store, outbox);
     fmt::print("pushed: {} drives, of which {} are new, to {}\n", sent.confirmed, sent.added, store->where());
     for (const std::string& refusal : sent.refused) std::cerr << "opal: not pushed: " << refusal << '\n';
     return sent.refused.empty();
-  } catch (const opal::StoreUnreachable& error) {
+  } catch (const StoreUnreachable& error) {
     std::cerr << "opal: not pushed: " << error.what() << "\nopal: the drives wait in " << outbox.folder().string()
               << "; the next opal learn --push sends them\n";
     return false;
@@ -92,19 +91,19 @@ bool push(const opal::PluginRegistry& registry, const opal::StoreSource& version
 }
 
 int learn(const LearnOptions& options) {
-  const opal::Deployment deployment = options.inputs.run.deployment();
+  const Deployment deployment = options.inputs.run.deployment();
   expect_pushable(options, deployment);
-  const opal::PluginRegistry registry = opal::session::load_plugins(deployment);
-  const opal::session::VersionedMap loaded = opal::session::load_versioned_map(registry, deployment);
+  const PluginRegistry registry = session::load_plugins(deployment);
+  const session::VersionedMap loaded = session::load_versioned_map(registry, deployment);
   const auto& map = loaded.map;
   const bool has_drives = !options.inputs.files.empty();
   bool is_sent = !options.is_pushed || has_drives || push(registry, *loaded.version, {});
-  const std::vector<opal::DriveEvidence> drives = options.inputs.drives(registry, loaded);
-  const opal::Learned learned = opal::learned_from(*map, drives);
+  const std::vector<DriveEvidence> drives = options.inputs.drives(registry, loaded);
+  const Learned learned = learned_from(*map, drives);
   print(learned, options.least_probability);
   write_overlay(*map, learned, deployment.lasers.front().id, options);
   if (!options.evidence.empty()) write_evidence(drives, options.evidence);
-  if (!options.csv.empty()) opal::write_text(options.csv, opal::deviation_csv(*map, learned));
+  if (!options.csv.empty()) write_text(options.csv, deviation_csv(*map, learned));
   draw(map, learned, options);
   if (options.is_pushed && has_drives) is_sent = push(registry, *loaded.version, drives);
   const bool any = std::any_of(drives.begin(), drives.end(), [](const auto& drive) { return !drive.visits.empty(); });
@@ -113,7 +112,7 @@ int learn(const LearnOptions& options) {
 
 }  // namespace
 
-void opal::add_learn_verb(CLI::App& app, int& exit_code) {
+void add_learn_verb(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<LearnOptions>();
   CLI::App* verb =
       app.add_subcommand("learn", "the building as built: what drives say that the map has wrong, as an overlay");
@@ -131,3 +130,5 @@ void opal::add_learn_verb(CLI::App& app, int& exit_code) {
   verb->add_option("--png", options->png, "the same as a PNG");
   verb->callback([options, &exit_code] { exit_code = learn(*options); });
 }
+
+}  // namespace opal::cli

@@ -18,47 +18,48 @@
 #include <filesystem>
 #include <optional>
 
+namespace opal::cli {
 namespace {
 
 namespace fs = std::filesystem;
 
 struct LocalizeOptions : LogRunOptions {
   bool serve = false;
-  int port = opal::LiveServer::kUsualPort;
+  int port = LiveServer::kUsualPort;
   double speed = 0;
 };
 
 /// What was asked for, ready to run.
 struct LocalizeSetup {
-  opal::PluginRegistry plugins;
-  opal::Deployment deployment;
-  opal::benchmark::RecordedLog log;
-  std::vector<opal::Query> windows;
+  PluginRegistry plugins;
+  Deployment deployment;
+  benchmark::RecordedLog log;
+  std::vector<Query> windows;
   std::string mount_doubt;  ///< in words; empty: the laser's place on the robot is stated
-  std::optional<opal::GroundTruth> truth;
-  opal::LocalizerParts parts;
+  std::optional<GroundTruth> truth;
+  LocalizerParts parts;
 };
 
 LocalizeSetup set_up(const LocalizeOptions& options) {
-  opal::Deployment deployment = options.deployment();
-  LocalizeSetup setup{opal::session::load_plugins(deployment), std::move(deployment), {}, {}, {}, {}, {}};
-  const auto map = opal::session::load_map(setup.plugins, setup.deployment);
-  setup.log = opal::benchmark::read_recorded_log(setup.plugins, options.log, setup.deployment, options.log_words);
+  Deployment deployment = options.deployment();
+  LocalizeSetup setup{session::load_plugins(deployment), std::move(deployment), {}, {}, {}, {}, {}};
+  const auto map = session::load_map(setup.plugins, setup.deployment);
+  setup.log = benchmark::read_recorded_log(setup.plugins, options.log, setup.deployment, options.log_words);
   setup.deployment.lasers = options.lasers_of(setup.log.records, setup.deployment.lasers);
   setup.mount_doubt = options.mount_doubt(setup.log.records, setup.deployment);
   setup.windows = options.windows();
-  if (!options.queries.empty()) opal::benchmark::expect_scans(setup.windows, setup.log, options.queries);
-  if (!options.truth.empty()) setup.truth = opal::GroundTruth::read(options.truth);
-  if (setup.truth) opal::benchmark::expect_overlap(*setup.truth, setup.log, options.truth);
-  setup.parts = opal::build_parts(setup.deployment, setup.plugins, map);
+  if (!options.queries.empty()) benchmark::expect_scans(setup.windows, setup.log, options.queries);
+  if (!options.truth.empty()) setup.truth = GroundTruth::read(options.truth);
+  if (setup.truth) benchmark::expect_overlap(*setup.truth, setup.log, options.truth);
+  setup.parts = build_parts(setup.deployment, setup.plugins, map);
   return setup;
 }
 
-void tell(const opal::benchmark::LocalizeRun& run, const LocalizeSetup& setup, const std::string& out) {
+void tell(const benchmark::LocalizeRun& run, const LocalizeSetup& setup, const std::string& out) {
   run.print();
   if (!setup.mount_doubt.empty()) fmt::print("sensor: {}\n", setup.mount_doubt);
   for (const auto& [cause, count] : setup.log.defects) fmt::print("log: {}: {} times\n", cause, count);
-  for (const std::string& doubt : opal::benchmark::doubts_of(setup.log, setup.deployment.lasers.front()))
+  for (const std::string& doubt : benchmark::doubts_of(setup.log, setup.deployment.lasers.front()))
     fmt::print("log: {}\n", doubt);
   fmt::print("written to {}: trajectory.tum, results.csv, events.jsonl, first_scan and picture as .svg and .png\n",
              out);
@@ -71,16 +72,15 @@ int localize(const LocalizeOptions& options) {
   const StopSignals signals;  // before other threads
   std::optional<LiveView> live;
   if (options.serve) live.emplace(options.port, signals.token());
-  opal::OutputFolder folder(options.out, "opal localize", run_products());
-  opal::benchmark::EventFile recorder(folder.file("events.jsonl"));
-  opal::NullEventSink nobody;
+  OutputFolder folder(options.out, "opal localize", run_products());
+  benchmark::EventFile recorder(folder.file("events.jsonl"));
+  NullEventSink nobody;
   EventSplitter events(recorder, live ? live->events() : nobody);
-  events.write(opal::run_event({options.log, options.config, setup.deployment.map}, setup.parts.lasers.front()));
-  events.write(opal::map_event(*setup.parts.map));
+  events.write(run_event({options.log, options.config, setup.deployment.map}, setup.parts.lasers.front()));
+  events.write(map_event(*setup.parts.map));
 
-  opal::Localizer localizer(setup.parts, &events);
-  opal::benchmark::LocalizeRun run(localizer, setup.deployment.lasers, events,
-                                   fs::path(options.log).filename().string());
+  Localizer localizer(setup.parts, &events);
+  benchmark::LocalizeRun run(localizer, setup.deployment.lasers, events, fs::path(options.log).filename().string());
   if (setup.truth) run.set_truth(*setup.truth);
   run.play(setup.log.records, setup.windows, {options.speed, signals.token()}, folder.path());
   recorder.finish();
@@ -92,7 +92,7 @@ int localize(const LocalizeOptions& options) {
 }
 
 void add_live_options(CLI::App& verb, const std::shared_ptr<LocalizeOptions>& options) {
-  CLI::Option* serve = verb.add_flag("--serve{" + std::to_string(opal::LiveServer::kUsualPort) + "}", options->port,
+  CLI::Option* serve = verb.add_flag("--serve{" + std::to_string(LiveServer::kUsualPort) + "}", options->port,
                                      "show the run while it goes on, to browsers on this machine, until Ctrl-C; "
                                      "--serve=PORT for another port, 0 for any free one");
   serve->check(CLI::Range(-1, 65535, "0 to 65535"));
@@ -108,7 +108,7 @@ void add_live_options(CLI::App& verb, const std::shared_ptr<LocalizeOptions>& op
 
 }  // namespace
 
-void opal::add_localize_verb(CLI::App& app, int& exit_code) {
+void add_localize_verb(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<LocalizeOptions>();
   CLI::App* verb = app.add_subcommand("localize", "find the robot's pose along a recorded log, from an unknown start");
   options->add_to(*verb, "trajectory, results, events and pictures");
@@ -117,3 +117,5 @@ void opal::add_localize_verb(CLI::App& app, int& exit_code) {
   add_live_options(*verb, options);
   verb->callback([options, &exit_code] { exit_code = localize(*options); });
 }
+
+}  // namespace opal::cli

@@ -13,34 +13,35 @@
 #include <iostream>
 #include <memory>
 
+namespace opal::cli {
 namespace {
 
 struct DeriveOptions {
   std::string map, out, detector, svg, png;
   std::vector<std::string> words;
-  opal::DerivationOptions derivation;
+  DerivationOptions derivation;
 };
 
-bool has_doors(const opal::SemanticMap& map) {
+bool has_doors(const SemanticMap& map) {
   return std::any_of(map.features().begin(), map.features().end(),
-                     [&](const opal::MapFeature& feature) { return opal::is_door_leaf(map, feature); });
+                     [&](const MapFeature& feature) { return is_door_leaf(map, feature); });
 }
 
-void draw(const opal::Derivation& derivation, const DeriveOptions& options) {
-  opal::DrawingScene scene;
+void draw(const Derivation& derivation, const DeriveOptions& options) {
+  DrawingScene scene;
   scene.title = derivation.map->name();
   scene.map = derivation.map;
   scene.notes = {std::to_string(derivation.added.size()) + " features derived by " + options.detector};
-  if (!options.svg.empty()) opal::write_svg(scene, options.svg);
-  if (!options.png.empty()) opal::write_png(scene, options.png);
+  if (!options.svg.empty()) write_svg(scene, options.svg);
+  if (!options.png.empty()) write_png(scene, options.png);
 }
 
 int derive(const DeriveOptions& options) {
-  const opal::PluginRegistry registry = opal::session::load_plugins();
-  const auto map = opal::session::load_map(registry, options.map);
-  const opal::Derivation derivation = derived_by(registry, *map, options.detector, options.words, options.derivation);
+  const PluginRegistry registry = session::load_plugins();
+  const auto map = session::load_map(registry, options.map);
+  const Derivation derivation = derived_by(registry, *map, options.detector, options.words, options.derivation);
   for (const std::string& id : derivation.added) std::cout << "  " << id << '\n';
-  opal::write_map(*derivation.map, options.out);
+  write_map(*derivation.map, options.out);
   std::cout << "written: " << options.out << '\n';
   draw(derivation, options);
   return derivation.added.empty() ? kNo : kDone;
@@ -48,17 +49,15 @@ int derive(const DeriveOptions& options) {
 
 }  // namespace
 
-opal::Derivation derived_by(const opal::PluginRegistry& registry, const opal::SemanticMap& map,
-                            const std::string& detector, const std::vector<std::string>& words,
-                            const opal::DerivationOptions& options) {
-  const opal::RegisteredType& type = registry.type(detector);
-  if (type.kind != opal::PluginKind::feature_detector)
-    throw opal::ConfigError(detector + ": is a " + name_of(type.kind) +
-                            ", expected a FeatureDetector (`opal plugins`)");
-  const auto part = registry.make<opal::FeatureDetector>(detector, opal::parse_options(detector, type.options, words));
+Derivation derived_by(const PluginRegistry& registry, const SemanticMap& map, const std::string& detector,
+                      const std::vector<std::string>& words, const DerivationOptions& options) {
+  const RegisteredType& type = registry.type(detector);
+  if (type.kind != PluginKind::feature_detector)
+    throw ConfigError(detector + ": is a " + name_of(type.kind) + ", expected a FeatureDetector (`opal plugins`)");
+  const auto part = registry.make<FeatureDetector>(detector, parse_options(detector, type.options, words));
   const std::string description = std::filesystem::path(type.file).replace_extension(".jsonld").string();
-  opal::Derivation derivation = opal::derived_features(map, *part, type.info.produces, options,
-                                                       opal::read_plugin_description(description).prefixes);
+  Derivation derivation =
+      derived_features(map, *part, type.info.produces, options, read_plugin_description(description).prefixes);
   std::cout << detector << ": " << derivation.added.size() << " new features, seen from " << derivation.places
             << " places; " << derivation.known << " known before, " << derivation.twice
             << " found twice; left out: " << derivation.seldom << " seen too seldom, " << derivation.on_nothing
@@ -70,7 +69,7 @@ opal::Derivation derived_by(const opal::PluginRegistry& registry, const opal::Se
 
 void add_map_derive(CLI::App& map, int& exit_code) {
   auto options = std::make_shared<DeriveOptions>();
-  opal::DerivationOptions& derivation = options->derivation;
+  DerivationOptions& derivation = options->derivation;
   CLI::App* verb = map.add_subcommand("derive", "add the features that a detector would find on what is mapped");
   verb->add_option("MAP", options->map, "map document, or a source to import")->required();
   verb->add_option("-o,--out", options->out, "map document to write (.jsonld)")->required();
@@ -89,3 +88,5 @@ void add_map_derive(CLI::App& map, int& exit_code) {
   verb->add_option("--png", options->png, "the same as a PNG");
   verb->callback([options, &exit_code] { exit_code = derive(*options); });
 }
+
+}  // namespace opal::cli

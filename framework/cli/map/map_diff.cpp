@@ -6,6 +6,7 @@
 
 #include <iostream>
 
+namespace opal::cli {
 namespace {
 
 struct DiffOptions {
@@ -14,10 +15,9 @@ struct DiffOptions {
 };
 
 int diff(const DiffOptions& options) {
-  const opal::PluginRegistry registry = opal::session::load_plugins();
-  const auto before = opal::session::load_map(registry, options.before),
-             after = opal::session::load_map(registry, options.after);
-  const opal::MapDiff diff = opal::map_diff(*before, *after);
+  const PluginRegistry registry = session::load_plugins();
+  const auto before = session::load_map(registry, options.before), after = session::load_map(registry, options.after);
+  const MapDiff diff = map_diff(*before, *after);
   const std::vector<std::string> sentences = diff.sentences();
   const std::size_t shown = options.summary ? sentences.size() - diff.changes.size() : sentences.size();
   for (std::size_t k = 0; k < shown; ++k) std::cout << sentences[k] << '\n';
@@ -36,3 +36,5 @@ void add_map_diff(CLI::App& map, int& exit_code) {
   verb->add_flag("--summary", options->summary, "counts only");
   verb->callback([options, &exit_code] { exit_code = diff(*options); });
 }
+
+}  // namespace opal::cli

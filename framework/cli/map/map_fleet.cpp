@@ -11,23 +11,24 @@
 #include <cstdio>
 #include <iostream>
 
+namespace opal::cli {
 namespace {
 
 struct PushOptions {
   std::string map;
-  opal::MapPush push;
+  MapPush push;
 };
 
 int push(const PushOptions& options) {
-  const opal::PluginRegistry registry = opal::session::load_plugins();
-  const auto store = opal::session::map_store(registry);
-  const auto map = opal::session::load_map(registry, options.map);
+  const PluginRegistry registry = session::load_plugins();
+  const auto store = session::map_store(registry);
+  const auto map = session::load_map(registry, options.map);
   try {
-    const opal::StoredVersion version = store->push(*map, options.push);
-    std::cout << "pushed: " << opal::session::described(version) << "; " << version.features << " features, to "
+    const StoredVersion version = store->push(*map, options.push);
+    std::cout << "pushed: " << session::described(version) << "; " << version.features << " features, to "
               << store->where() << '\n';
     return kDone;
-  } catch (const opal::StoreConflict& conflict) {
+  } catch (const StoreConflict& conflict) {
     std::cerr << "opal: " << conflict.what() << '\n';
     return kNo;
   }
@@ -46,18 +47,18 @@ void add_push(CLI::App& map, int& exit_code) {
 }
 
 struct PullOptions {
-  opal::StoreSource source;
+  StoreSource source;
   std::string out;
 };
 
 int pull(const PullOptions& options) {
-  const opal::PluginRegistry registry = opal::session::load_plugins();
-  const auto store = opal::session::map_store(registry);
-  const opal::StoredMap stored = store->pull(options.source.building, options.source.version);
-  const auto map = opal::SemanticMap::parse(stored.document, opal::text_of(options.source));
-  opal::write_map(*map, options.out);
-  std::cout << "pulled: " << opal::session::described(stored.version) << "; " << stored.version.features
-            << " features, from " << store->where() << "\nwritten: " << options.out << '\n';
+  const PluginRegistry registry = session::load_plugins();
+  const auto store = session::map_store(registry);
+  const StoredMap stored = store->pull(options.source.building, options.source.version);
+  const auto map = SemanticMap::parse(stored.document, text_of(options.source));
+  write_map(*map, options.out);
+  std::cout << "pulled: " << session::described(stored.version) << "; " << stored.version.features << " features, from "
+            << store->where() << "\nwritten: " << options.out << '\n';
   return kDone;
 }
 
@@ -93,16 +94,16 @@ std::string first_line(const std::string& text) {
 }
 
 int list(const std::string& building) {
-  const opal::PluginRegistry registry = opal::session::load_plugins();
-  const auto store = opal::session::map_store(registry);
-  const std::vector<opal::StoredVersion> versions = store->list(building);
+  const PluginRegistry registry = session::load_plugins();
+  const auto store = session::map_store(registry);
+  const std::vector<StoredVersion> versions = store->list(building);
   if (versions.empty()) {
     std::cout << store->where() << ": no map" << (building.empty() ? "" : " of building '" + building + "'") << '\n';
     return kNo;
   }
   std::vector<std::vector<std::string>> rows{
       {"building", "version", "pushed at", "by", "objects", "features", "patterns", "message"}};
-  for (const opal::StoredVersion& version : versions)
+  for (const StoredVersion& version : versions)
     rows.push_back({version.building, std::to_string(version.version), version.pushed_at, version.pushed_by,
                     std::to_string(version.objects), std::to_string(version.features), std::to_string(version.patterns),
                     first_line(version.message)});
@@ -125,3 +126,5 @@ void add_map_fleet(CLI::App& map, int& exit_code) {
   add_pull(map, exit_code);
   add_list(map, exit_code);
 }
+
+}  // namespace opal::cli

@@ -12,6 +12,7 @@
 #include <iostream>
 #include <memory>
 
+namespace opal::cli {
 namespace {
 
 struct FrameVerbOptions {
@@ -19,20 +20,19 @@ struct FrameVerbOptions {
 };
 
 /// A document as it is written; of any other source, that of the map that it gives.
-opal::NamedDocument read_document(const std::string& source) {
+NamedDocument read_document(const std::string& source) {
   const std::string extension = std::filesystem::path(source).extension().string();
-  if (extension == ".jsonld" || extension == ".json") return {opal::read_json(source), source};
-  return {nlohmann::json(opal::session::load_map(opal::session::load_plugins(), source)->to_json_ld()), source};
+  if (extension == ".jsonld" || extension == ".json") return {read_json(source), source};
+  return {nlohmann::json(session::load_map(session::load_plugins(), source)->to_json_ld()), source};
 }
 
 int frame(const FrameVerbOptions& options) {
-  const nlohmann::json framed =
-      opal::framed_map(read_document(options.map), {opal::read_json(options.frame), options.frame});
-  const std::size_t matches = opal::matches_in(framed);
+  const nlohmann::json framed = framed_map(read_document(options.map), {read_json(options.frame), options.frame});
+  const std::size_t matches = matches_in(framed);
   if (options.out.empty()) {
     std::cout << framed.dump(1) << '\n';
   } else {
-    opal::write_text(options.out, framed.dump(1) + '\n');
+    write_text(options.out, framed.dump(1) + '\n');
     std::cout << "written: " << options.out << ", " << matches << (matches == 1 ? " match\n" : " matches\n");
   }
   return matches == 0 ? kNo : kDone;
@@ -48,3 +48,5 @@ void add_map_frame(CLI::App& map, int& exit_code) {
   verb->add_option("-o,--out", options->out, "file to write; the terminal if it is left out");
   verb->callback([options, &exit_code] { exit_code = frame(*options); });
 }
+
+}  // namespace opal::cli

@@ -9,25 +9,25 @@
 #include <memory>
 #include "simulation/buildings/building.hpp"
 
+namespace opal::cli {
 namespace {
 
-using opal::simulation::BuildingKind;
+using simulation::BuildingKind;
 
 struct GenerateOptions {
-  opal::simulation::BuildingRequest building;
+  simulation::BuildingRequest building;
   std::string out, svg, png;
 };
 
 const BuildingKind* kind_named(const std::string& name) {
-  for (const BuildingKind& kind : opal::simulation::building_kinds())
+  for (const BuildingKind& kind : simulation::building_kinds())
     if (kind.name == name) return &kind;
   return nullptr;
 }
 
 std::string description_of_kinds() {
   std::string text = "what to build";
-  for (const BuildingKind& kind : opal::simulation::building_kinds())
-    text += "; " + kind.name + ": " + kind.description;
+  for (const BuildingKind& kind : simulation::building_kinds()) text += "; " + kind.name + ": " + kind.description;
   return text;
 }
 
@@ -36,19 +36,19 @@ void refuse_choice(const CLI::App& verb, const std::string& name) {
   const BuildingKind* kind = kind_named(name);
   if (!kind || kind->usual_size_m2 > 0) return;
   for (const char* option : {"--seed", "--size", "--symmetry"})
-    if (verb.count(option) > 0) throw opal::ConfigError(std::string(option) + ": there is only one " + name);
+    if (verb.count(option) > 0) throw ConfigError(std::string(option) + ": there is only one " + name);
 }
 
 int generate(const GenerateOptions& options) {
-  const opal::simulation::Building building = generate_building(options.building);
-  opal::write_map(*building.map, options.out);
+  const simulation::Building building = generate_building(options.building);
+  write_map(*building.map, options.out);
   std::cout << "written: " << options.out << ", " << building.map->features().size() << " features of "
             << building.map->objects().size() << " objects\n";
-  opal::DrawingScene scene;
+  DrawingScene scene;
   scene.title = building.map->name();
   scene.map = building.map;
-  if (!options.svg.empty()) opal::write_svg(scene, options.svg);
-  if (!options.png.empty()) opal::write_png(scene, options.png);
+  if (!options.svg.empty()) write_svg(scene, options.svg);
+  if (!options.png.empty()) write_png(scene, options.png);
   return kDone;
 }
 
@@ -71,3 +71,5 @@ void add_map_generate(CLI::App& map, int& exit_code) {
     exit_code = generate(*options);
   });
 }
+
+}  // namespace opal::cli

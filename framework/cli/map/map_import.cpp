@@ -17,6 +17,7 @@
 #include <filesystem>
 #include <iostream>
 
+namespace opal::cli {
 namespace {
 
 struct ImportOptions {
@@ -29,20 +30,18 @@ struct ImportOptions {
 };
 
 /// Those that --config trusts.
-opal::PluginRegistry plugins_for(const ImportOptions& options) {
-  return options.config.empty()
-             ? opal::session::load_plugins()
-             : opal::session::load_plugins(opal::read_deployment(opal::session::config_file(options.config)));
+PluginRegistry plugins_for(const ImportOptions& options) {
+  return options.config.empty() ? session::load_plugins()
+                                : session::load_plugins(read_deployment(session::config_file(options.config)));
 }
 
 /// All that was said about options: by the deployment first, then on the command line.
-nlohmann::json options_for(const opal::RegisteredType& importer, const opal::PluginRegistry& registry,
+nlohmann::json options_for(const RegisteredType& importer, const PluginRegistry& registry,
                            const ImportOptions& options) {
   nlohmann::json chosen = nlohmann::json::object();
   if (!options.config.empty())
-    chosen = opal::importer_options(opal::read_deployment(opal::session::config_file(options.config)), registry,
-                                    importer.info.name);
-  chosen.merge_patch(opal::parse_options(importer.info.name, importer.options, options.words));
+    chosen = importer_options(read_deployment(session::config_file(options.config)), registry, importer.info.name);
+  chosen.merge_patch(parse_options(importer.info.name, importer.options, options.words));
   if (!options.storey.empty()) chosen["storey"] = options.storey;
   if (options.z_m) chosen["z_m"] = *options.z_m;
   if (options.thicken_m > 0) chosen["thicken_m"] = options.thicken_m;
@@ -55,28 +54,28 @@ std::string text_of(const std::vector<std::string>& sentences) {
   return text;
 }
 
-void write_report(const opal::MapImport& imported, const std::string& path) {
+void write_report(const MapImport& imported, const std::string& path) {
   const bool is_json = std::filesystem::path(path).extension() == ".json";
-  opal::write_text(path, is_json ? opal::import_report(imported).dump(1) + '\n' : text_of(imported.report));
+  write_text(path, is_json ? import_report(imported).dump(1) + '\n' : text_of(imported.report));
 }
 
-void draw(const opal::MapImport& imported, const ImportOptions& options) {
-  opal::DrawingScene scene;
+void draw(const MapImport& imported, const ImportOptions& options) {
+  DrawingScene scene;
   scene.title = imported.map->name();
   scene.map = imported.map;
   scene.coordinates = true;
-  if (!options.svg.empty()) opal::write_svg(scene, options.svg);
-  if (!options.png.empty()) opal::write_png(scene, options.png);
+  if (!options.svg.empty()) write_svg(scene, options.svg);
+  if (!options.png.empty()) write_png(scene, options.png);
 }
 
 void write_report(const ImportedStoreys& imported, const std::string& path) {
   nlohmann::ordered_json by_storey = nlohmann::ordered_json::object();
   std::string text;
   for (std::size_t k = 0; k < imported.parts.size(); ++k) {
-    by_storey[imported.parts[k].id] = opal::import_report(imported.imports[k]);
+    by_storey[imported.parts[k].id] = import_report(imported.imports[k]);
     text += imported.parts[k].id + ":\n" + text_of(imported.imports[k].report);
   }
-  opal::write_text(path, std::filesystem::path(path).extension() == ".json" ? by_storey.dump(1) + '\n' : text);
+  write_text(path, std::filesystem::path(path).extension() == ".json" ? by_storey.dump(1) + '\n' : text);
 }
 
 /// What is missing or doubtful on each storey; the whole reports are for --report.
@@ -90,13 +89,13 @@ std::string shortfalls_of(const ImportedStoreys& imported) {
 }
 
 /// Every storey, a sheet each.
-int import_all(const ImportOptions& options, const opal::PluginRegistry& registry, const nlohmann::json& chosen) {
+int import_all(const ImportOptions& options, const PluginRegistry& registry, const nlohmann::json& chosen) {
   ImportedStoreys imported = import_storeys(registry, options.source, chosen, options.stack);
   std::cout << text_of(imported.left_out) << shortfalls_of(imported);
-  opal::MapImport all;
+  MapImport all;
   all.map = finished(imported.stacked, options.stack);
   for (const std::string& detector : options.detectors) all.map = derived_by(registry, *all.map, detector, {}, {}).map;
-  opal::write_map(*all.map, options.out);
+  write_map(*all.map, options.out);
   std::cout << stacked_sentence(options.out, *all.map) << '\n';
   if (!options.report.empty()) write_report(imported, options.report);
   draw(all, options);
@@ -104,33 +103,33 @@ int import_all(const ImportOptions& options, const opal::PluginRegistry& registr
 }
 
 int import(const ImportOptions& options) {
-  const opal::PluginRegistry registry = plugins_for(options);
-  const opal::RegisteredType& importer = opal::session::importer_of(registry, options.source);
+  const PluginRegistry registry = plugins_for(options);
+  const RegisteredType& importer = session::importer_of(registry, options.source);
   const nlohmann::json chosen = options_for(importer, registry, options);
   if (options.all) return import_all(options, registry, chosen);
-  opal::MapImport imported = opal::session::import_map(registry, options.source, chosen);
+  MapImport imported = session::import_map(registry, options.source, chosen);
   for (const std::string& detector : options.detectors)
     imported.map = derived_by(registry, *imported.map, detector, {}, {}).map;
-  opal::write_map(*imported.map, options.out);
+  write_map(*imported.map, options.out);
   std::cout << text_of(imported.report) << "written: " << options.out << '\n';
   if (!options.report.empty()) write_report(imported, options.report);
   draw(imported, options);
   return kDone;
 }
 
-void print(const opal::Storey& storey) {
+void print(const Storey& storey) {
   fmt::print("{:<24}  level {:8.3f} m  cut {:8.3f} m  ", "'" + storey.name + "'", storey.elevation_m, storey.height_m);
   const auto text_of = [](const auto& gives) { return fmt::format("{} {}", gives.second, gives.first); };
-  fmt::print("{}\n", storey.gives.empty() ? "nothing" : opal::listed_by(storey.gives, text_of));
+  fmt::print("{}\n", storey.gives.empty() ? "nothing" : listed_by(storey.gives, text_of));
 }
 
 int storeys(const std::string& source, const ImportOptions& options) {
-  const opal::PluginRegistry registry = plugins_for(options);
-  const opal::RegisteredType& type = opal::session::importer_of(registry, source);
-  const auto importer = registry.make<opal::MapImporter>(type.info.name, options_for(type, registry, options));
-  const std::vector<opal::Storey> levels = importer->storeys(source);
+  const PluginRegistry registry = plugins_for(options);
+  const RegisteredType& type = session::importer_of(registry, source);
+  const auto importer = registry.make<MapImporter>(type.info.name, options_for(type, registry, options));
+  const std::vector<Storey> levels = importer->storeys(source);
   if (levels.empty()) std::cout << source << ": has no storeys\n";
-  for (const opal::Storey& level : levels) print(level);
+  for (const Storey& level : levels) print(level);
   return levels.empty() ? kNo : kDone;
 }
 
@@ -181,3 +180,5 @@ void add_map_storeys(CLI::App& map, int& exit_code) {
   add_choices(*verb, *options);
   verb->callback([options, &exit_code] { exit_code = storeys(options->source, *options); });
 }
+
+}  // namespace opal::cli

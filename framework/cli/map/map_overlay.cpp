@@ -11,30 +11,31 @@
 #include <iostream>
 #include <memory>
 
+namespace opal::cli {
 namespace {
 
 struct OverlayVerbOptions {
   std::string map, out, svg, png;
   std::vector<std::string> overlays;
-  opal::OverlayOptions overlay;
+  OverlayOptions overlay;
 };
 
-void draw(const std::shared_ptr<const opal::SemanticMap>& map, const OverlayVerbOptions& options) {
-  opal::DrawingScene scene;
+void draw(const std::shared_ptr<const SemanticMap>& map, const OverlayVerbOptions& options) {
+  DrawingScene scene;
   scene.title = map->name();
   scene.map = map;
-  if (!options.svg.empty()) opal::write_svg(scene, options.svg);
-  if (!options.png.empty()) opal::write_png(scene, options.png);
+  if (!options.svg.empty()) write_svg(scene, options.svg);
+  if (!options.png.empty()) write_png(scene, options.png);
 }
 
 int overlay(const OverlayVerbOptions& options) {
-  std::vector<opal::MapOverlay> overlays;
-  for (const std::string& file : options.overlays) overlays.push_back(opal::read_overlay(file));
-  const opal::OverlaidMap overlaid = opal::overlaid_map(
-      *opal::session::load_map(opal::session::load_plugins(), options.map), overlays, options.overlay);
+  std::vector<MapOverlay> overlays;
+  for (const std::string& file : options.overlays) overlays.push_back(read_overlay(file));
+  const OverlaidMap overlaid =
+      overlaid_map(*session::load_map(session::load_plugins(), options.map), overlays, options.overlay);
   for (const std::string& sentence : overlaid.changes) std::cout << sentence << '\n';
   for (const std::string& doubt : overlaid.doubts) std::cout << "does not fit: " << doubt << '\n';
-  opal::write_map(*overlaid.map, options.out);
+  write_map(*overlaid.map, options.out);
   std::cout << "written: " << options.out << '\n';
   draw(overlaid.map, options);
   return overlaid.doubts.empty() ? kDone : kNo;
@@ -55,3 +56,5 @@ void add_map_overlay(CLI::App& map, int& exit_code) {
                  "after a new import: tell all changes whose target is gone, and make the others");
   verb->callback([options, &exit_code] { exit_code = overlay(*options); });
 }
+
+}  // namespace opal::cli

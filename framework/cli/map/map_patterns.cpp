@@ -13,34 +13,33 @@
 #include <algorithm>
 #include <iostream>
 
+namespace opal::cli {
 namespace {
 
-using Templates = std::vector<opal::Named<opal::PatternTemplate>>;
-using Map = std::shared_ptr<const opal::SemanticMap>;
+using Templates = std::vector<Named<PatternTemplate>>;
+using Map = std::shared_ptr<const SemanticMap>;
 
 struct PatternsOptions {
   std::string map, out, svg, png, sensor = "PlanarLidar2D";
   std::vector<std::string> templates;
-  opal::PatternLayerOptions layer;
+  PatternLayerOptions layer;
   bool summary = false;
 };
 
-std::shared_ptr<const opal::PatternTemplate> made(const opal::PluginRegistry& registry, const std::string& name) {
-  return opal::consuming(registry.make<opal::PatternTemplate>(name), registry.type(name).info.consumes);
+std::shared_ptr<const PatternTemplate> made(const PluginRegistry& registry, const std::string& name) {
+  return consuming(registry.make<PatternTemplate>(name), registry.type(name).info.consumes);
 }
 
 /// Several features, of which one at least has a place: lines alone do better without a layer, joined to whole walls.
-bool is_usual(const opal::PatternTemplate& pattern_template) {
+bool is_usual(const PatternTemplate& pattern_template) {
   const auto slots = pattern_template.shape().slots;
-  const bool placed =
-      std::any_of(slots.begin(), slots.end(), [](auto kind) { return kind != opal::GeometryKind::segment; });
+  const bool placed = std::any_of(slots.begin(), slots.end(), [](auto kind) { return kind != GeometryKind::segment; });
   return slots.size() > 1 && placed;
 }
 
 /// What the map has features for: all usual templates, or the ones named.
-Templates chosen_templates(const opal::PluginRegistry& registry, const opal::SemanticMap& map,
-                           const PatternsOptions& options) {
-  const opal::PipelinePlan plan = plan_pipeline(*map.with_patterns({}), options.sensor, registry.types());
+Templates chosen_templates(const PluginRegistry& registry, const SemanticMap& map, const PatternsOptions& options) {
+  const PipelinePlan plan = plan_pipeline(*map.with_patterns({}), options.sensor, registry.types());
   std::vector<std::string> usable = plan.patterns;
   usable.insert(usable.end(), plan.on_request.begin(), plan.on_request.end());
   const std::vector<std::string>& asked = options.templates.empty() ? usable : options.templates;
@@ -51,51 +50,51 @@ Templates chosen_templates(const opal::PluginRegistry& registry, const opal::Sem
       std::string message = name + " cannot be used with " + options.map;
       for (const std::string& reason : plan.reasons)
         if (reason.rfind(name + ":", 0) == 0) message += "\n  " + reason;
-      throw opal::ConfigError(message);
+      throw ConfigError(message);
     }
     auto part = made(registry, name);
     if (!options.templates.empty() || is_usual(*part)) chosen.push_back({name, std::move(part)});
   }
-  if (chosen.empty()) throw opal::ConfigError(options.map + ": no pattern template has the features that it needs");
+  if (chosen.empty()) throw ConfigError(options.map + ": no pattern template has the features that it needs");
   return chosen;
 }
 
-void print(const opal::SemanticMap& map, const opal::PatternLayer& layer, bool each) {
+void print(const SemanticMap& map, const PatternLayer& layer, bool each) {
   for (std::size_t k = 0; each && k < layer.patterns.size(); ++k) {
-    const opal::MapPattern& pattern = layer.patterns[k];
+    const MapPattern& pattern = layer.patterns[k];
     std::cout << pattern.id << ": ";
     if (layer.alike[k] == 0) std::cout << "unique;";
     if (layer.alike[k] > 0) std::cout << layer.alike[k] << (layer.alike[k] == 1 ? " look-alike;" : " look-alikes;");
-    for (const opal::MapFeatureNumber member : pattern.features) std::cout << ' ' << map.feature(member).id;
+    for (const MapFeatureNumber member : pattern.features) std::cout << ' ' << map.feature(member).id;
     std::cout << '\n';
   }
-  for (const opal::PatternSummary& summary : layer.summaries) std::cout << sentence_of(summary) << '\n';
+  for (const PatternSummary& summary : layer.summaries) std::cout << sentence_of(summary) << '\n';
 }
 
-void draw(const Map& map, const opal::PatternLayer& layer, const PatternsOptions& options) {
-  opal::DrawingScene scene;
+void draw(const Map& map, const PatternLayer& layer, const PatternsOptions& options) {
+  DrawingScene scene;
   scene.title = map->name();
   scene.map = map;
   scene.coordinates = true;
-  for (const opal::MapPattern& pattern : layer.patterns) {
+  for (const MapPattern& pattern : layer.patterns) {
     scene.patterns.emplace_back();
-    for (const opal::MapFeatureNumber member : pattern.features)
+    for (const MapFeatureNumber member : pattern.features)
       scene.patterns.back().push_back(anchor_of(map->feature(member).geometry));
   }
-  for (const opal::PatternSummary& summary : layer.summaries) scene.notes.push_back(sentence_of(summary));
-  if (!options.svg.empty()) opal::write_svg(scene, options.svg);
-  if (!options.png.empty()) opal::write_png(scene, options.png);
+  for (const PatternSummary& summary : layer.summaries) scene.notes.push_back(sentence_of(summary));
+  if (!options.svg.empty()) write_svg(scene, options.svg);
+  if (!options.png.empty()) write_png(scene, options.png);
 }
 
 int patterns(const PatternsOptions& options) {
-  const opal::PluginRegistry registry = opal::session::load_plugins();
-  const Map map = opal::session::load_map(registry, options.map);
-  const opal::MapView view(map, options.sensor);
-  const opal::PatternLayer layer = find_pattern_layer(view, chosen_templates(registry, *map, options), options.layer);
+  const PluginRegistry registry = session::load_plugins();
+  const Map map = session::load_map(registry, options.map);
+  const MapView view(map, options.sensor);
+  const PatternLayer layer = find_pattern_layer(view, chosen_templates(registry, *map, options), options.layer);
   print(*map, layer, !options.summary);
   draw(map, layer, options);
   if (!options.out.empty()) {
-    opal::write_map(*map->with_patterns(layer.patterns), options.out);
+    write_map(*map->with_patterns(layer.patterns), options.out);
     std::cout << "written: " << options.out << '\n';
   }
   return layer.patterns.empty() ? kNo : kDone;
@@ -121,11 +120,13 @@ void add_map_patterns(CLI::App& map, int& exit_code) {
   verb->callback([options, &exit_code] { exit_code = patterns(*options); });
 }
 
-void check_layer(const opal::PluginRegistry& registry, const Map& map, const std::string& sensor) {
+void check_layer(const PluginRegistry& registry, const Map& map, const std::string& sensor) {
   if (map->patterns().empty()) return;
-  const opal::PipelinePlan plan = plan_pipeline(*map, sensor, registry.types());
+  const PipelinePlan plan = plan_pipeline(*map, sensor, registry.types());
   Templates templates;
   for (const std::string& name : plan.patterns) templates.push_back({name, made(registry, name)});
-  for (const opal::PatternSummary& summary : read_pattern_layer(opal::MapView(map, sensor), templates).summaries)
+  for (const PatternSummary& summary : read_pattern_layer(MapView(map, sensor), templates).summaries)
     std::cout << sentence_of(summary) << '\n';
 }
+
+}  // namespace opal::cli

@@ -8,10 +8,14 @@
 #include <memory>
 #include <string>
 
+namespace opal::cli {
+
 /// `opal map patterns`.
 void add_map_patterns(CLI::App& map, int& exit_code);
 
 /// Says how unique the patterns of a map's layer are, if it has one. @throws opal::MapError if the layer contradicts
 /// its templates.
-void check_layer(const opal::PluginRegistry& registry, const std::shared_ptr<const opal::SemanticMap>& map,
+void check_layer(const PluginRegistry& registry, const std::shared_ptr<const SemanticMap>& map,
                  const std::string& sensor);
+
+}  // namespace opal::cli

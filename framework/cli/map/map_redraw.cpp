@@ -14,6 +14,7 @@
 #include <iostream>
 #include <memory>
 
+namespace opal::cli {
 namespace {
 
 namespace fs = std::filesystem;
@@ -21,34 +22,34 @@ namespace fs = std::filesystem;
 struct RedrawOptions {
   std::vector<std::string> prefixes;
   std::string folder;
-  opal::ConeMapping mapping;
+  ConeMapping mapping;
 };
 
 /// The scans whose place the truth tells, in the order of the drive.
-std::vector<opal::PlacedScan> placed_scans(const opal::PluginRegistry& registry, const std::string& prefix) {
-  const opal::LaserModel laser = opal::read_site_laser(prefix + ".info.json");
-  const opal::GroundTruth truth = opal::GroundTruth::read(prefix + ".gt.csv");
+std::vector<PlacedScan> placed_scans(const PluginRegistry& registry, const std::string& prefix) {
+  const LaserModel laser = read_site_laser(prefix + ".info.json");
+  const GroundTruth truth = GroundTruth::read(prefix + ".gt.csv");
   const std::string file = prefix + ".log.gz";
-  opal::Replay replay(opal::session::open_log(registry, file, {}), {laser});
-  std::vector<opal::PlacedScan> scans;
+  Replay replay(session::open_log(registry, file, {}), {laser});
+  std::vector<PlacedScan> scans;
   while (auto sample = replay.next())
     if (const auto pose = truth.T_map_laser_at(sample->stamp_s))
       scans.push_back({std::move(sample->views.front().scan), *pose});
-  if (scans.empty()) throw opal::ConfigError(prefix + ".gt.csv: tells the place of no scan of " + file);
+  if (scans.empty()) throw ConfigError(prefix + ".gt.csv: tells the place of no scan of " + file);
   return scans;
 }
 
-void redraw(const opal::PluginRegistry& registry, const std::string& prefix, const RedrawOptions& options) {
+void redraw(const PluginRegistry& registry, const std::string& prefix, const RedrawOptions& options) {
   const std::string out =
       (fs::path(options.folder) / (fs::path(prefix).filename().string() + ".map.yaml")).lexically_normal().string();
-  const opal::MapRaster raster = opal::cone_mapped(placed_scans(registry, prefix), options.mapping);
-  opal::write_raster(raster, out);
+  const MapRaster raster = cone_mapped(placed_scans(registry, prefix), options.mapping);
+  write_raster(raster, out);
   std::cout << "written: " << out << ", " << raster.columns << " x " << raster.rows << " cells of "
             << raster.resolution_m << " m\n";
 }
 
 int redraw(const RedrawOptions& options) {
-  const opal::PluginRegistry registry = opal::session::load_plugins();
+  const PluginRegistry registry = session::load_plugins();
   fs::create_directories(options.folder);
   for (const std::string& prefix : options.prefixes) redraw(registry, prefix, options);
   return kDone;
@@ -58,7 +59,7 @@ int redraw(const RedrawOptions& options) {
 
 void add_map_redraw(CLI::App& map, int& exit_code) {
   auto options = std::make_shared<RedrawOptions>();
-  opal::ConeMapping& mapping = options->mapping;
+  ConeMapping& mapping = options->mapping;
   CLI::App* verb = map.add_subcommand(
       "redraw", "the grid that another team draws of a recorded place, with wide beams at poses that drift");
   verb->add_option("PREFIX", options->prefixes,
@@ -79,3 +80,5 @@ void add_map_redraw(CLI::App& map, int& exit_code) {
   verb->add_option("--seed", mapping.seed, "the same seed gives the same map")->capture_default_str();
   verb->callback([options, &exit_code] { exit_code = redraw(*options); });
 }
+
+}  // namespace opal::cli

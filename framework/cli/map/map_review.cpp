@@ -18,6 +18,7 @@
 #include <mutex>
 #include <set>
 
+namespace opal::cli {
 namespace {
 
 namespace fs = std::filesystem;
@@ -25,29 +26,29 @@ namespace fs = std::filesystem;
 struct ReviewOptions {
   DriveInputs inputs;
   std::string out, decisions, html;
-  double least_probability = opal::kLeastProbability;
-  int port = opal::ReviewServer::kUsualPort;
+  double least_probability = kLeastProbability;
+  int port = ReviewServer::kUsualPort;
 };
 
 /// The same for the same set of drives, whatever their order.
-std::string digest_of(const std::vector<opal::DriveEvidence>& drives) {
+std::string digest_of(const std::vector<DriveEvidence>& drives) {
   std::set<std::string> documents;
-  for (const opal::DriveEvidence& drive : drives) documents.insert(opal::to_json(drive).dump());
-  opal::Sha256 digest;
+  for (const DriveEvidence& drive : drives) documents.insert(to_json(drive).dump());
+  Sha256 digest;
   for (const std::string& document : documents) digest.add(document + '\n');
   return digest.finish();
 }
 
-opal::ReviewMatter matter_of(const ReviewOptions& options) {
-  const opal::Deployment deployment = options.inputs.run.deployment();
-  const opal::PluginRegistry registry = opal::session::load_plugins(deployment);
-  opal::ReviewMatter matter;
-  const opal::session::VersionedMap loaded = opal::session::load_versioned_map(registry, deployment);
+ReviewMatter matter_of(const ReviewOptions& options) {
+  const Deployment deployment = options.inputs.run.deployment();
+  const PluginRegistry registry = session::load_plugins(deployment);
+  ReviewMatter matter;
+  const session::VersionedMap loaded = session::load_versioned_map(registry, deployment);
   matter.map = loaded.map;
-  const std::vector<opal::DriveEvidence> drives = options.inputs.drives(registry, loaded);
-  matter.learned = opal::learned_from(*matter.map, drives);
+  const std::vector<DriveEvidence> drives = options.inputs.drives(registry, loaded);
+  matter.learned = learned_from(*matter.map, drives);
   matter.sensor = deployment.lasers.front().id;
-  matter.map_digest = opal::sha256_of(matter.map->to_json_ld().dump());
+  matter.map_digest = sha256_of(matter.map->to_json_ld().dump());
   matter.evidence_digest = digest_of(drives);
   matter.least_probability = options.least_probability;
   return matter;
@@ -59,31 +60,31 @@ std::string decisions_beside(const std::string& overlay) {
 }
 
 /// Goes on with the decisions of a file. @return what has changed since, which is also told on the screen.
-std::vector<std::string> resumed(opal::Review& review, const std::string& file) {
-  const std::vector<std::string> notes = review.resume(opal::decisions_from(opal::read_json(file), file), file);
+std::vector<std::string> resumed(Review& review, const std::string& file) {
+  const std::vector<std::string> notes = review.resume(decisions_from(read_json(file), file), file);
   for (const std::string& note : notes) std::cout << note << '\n';
   return notes;
 }
 
-int make_overlay(const opal::Review& review, const std::string& out) {
-  opal::write_text(out, review.overlay().dump(1) + '\n');
+int make_overlay(const Review& review, const std::string& out) {
+  write_text(out, review.overlay().dump(1) + '\n');
   std::cout << review.count() << "; written: " << out << '\n';
   return kDone;
 }
 
-int make_page(const opal::Review& review, const std::vector<std::string>& notes, const std::string& html) {
-  opal::write_text(html, opal::review_page(review, notes, std::nullopt));
+int make_page(const Review& review, const std::vector<std::string>& notes, const std::string& html) {
+  write_text(html, review_page(review, notes, std::nullopt));
   std::cout << review.count() << "; written: " << html << '\n';
   return kDone;
 }
 
-int serve(opal::Review& review, const ReviewOptions& options) {
-  const opal::ReviewFiles files{decisions_beside(options.out), options.out};
+int serve(Review& review, const ReviewOptions& options) {
+  const ReviewFiles files{decisions_beside(options.out), options.out};
   std::vector<std::string> notes;
   if (fs::exists(files.decisions)) notes = resumed(review, files.decisions);
   const StopSignals signals;  // before the server's threads
   {
-    const opal::ReviewServer server(review, notes, files, options.port);
+    const ReviewServer server(review, notes, files, options.port);
     std::cout << review.count() << "; decisions go to " << files.decisions << "\nreview at " << server.url()
               << " (on this machine only; Ctrl-C ends it)" << std::endl;
     std::mutex mutex;
@@ -100,7 +101,7 @@ int serve(opal::Review& review, const ReviewOptions& options) {
 int review(const ReviewOptions& options) {
   if (options.out.empty() && options.html.empty())
     throw CLI::ValidationError("-o is missing, expected an overlay to write (.jsonld), or --html with a page to write");
-  opal::Review review(matter_of(options));
+  Review review(matter_of(options));
   std::vector<std::string> notes;
   if (!options.decisions.empty()) notes = resumed(review, options.decisions);
   if (!options.html.empty()) make_page(review, notes, options.html);
@@ -127,3 +128,5 @@ void add_map_review(CLI::App& map, int& exit_code) {
       ->capture_default_str();
   verb->callback([options, &exit_code] { exit_code = review(*options); });
 }
+
+}  // namespace opal::cli

@@ -8,6 +8,7 @@
 #include <iostream>
 #include <memory>
 
+namespace opal::cli {
 namespace {
 
 namespace fs = std::filesystem;
@@ -20,8 +21,8 @@ struct SketchOptions {
   std::uint64_t seed = 1;
 };
 
-opal::PlanSketch plan_of(const SketchOptions& options) {
-  opal::PlanSketch plan = options.printed ? opal::printed_and_scanned() : opal::drawn_by_hand();
+PlanSketch plan_of(const SketchOptions& options) {
+  PlanSketch plan = options.printed ? printed_and_scanned() : drawn_by_hand();
   plan.furniture = options.furniture.value_or(plan.furniture);
   plan.words = options.words.value_or(plan.words);
   plan.seed = options.seed;
@@ -29,13 +30,13 @@ opal::PlanSketch plan_of(const SketchOptions& options) {
 }
 
 int sketch(const SketchOptions& options) {
-  const opal::PluginRegistry registry = opal::session::load_plugins();
+  const PluginRegistry registry = session::load_plugins();
   fs::create_directories(options.folder);
   for (const std::string& map : options.maps) {
     const std::string out =
-        (fs::path(options.folder) / (opal::session::name_of_map(map) + ".map.yaml")).lexically_normal().string();
-    const opal::MapRaster raster = opal::sketched(*opal::session::load_map(registry, map), plan_of(options));
-    opal::write_raster(raster, out);
+        (fs::path(options.folder) / (session::name_of_map(map) + ".map.yaml")).lexically_normal().string();
+    const MapRaster raster = sketched(*session::load_map(registry, map), plan_of(options));
+    write_raster(raster, out);
     std::cout << "written: " << out << ", " << raster.columns << " x " << raster.rows << " cells of "
               << raster.resolution_m << " m\n";
   }
@@ -58,3 +59,5 @@ void add_map_sketch(CLI::App& map, int& exit_code) {
   verb->add_option("--seed", options->seed, "the same seed gives the same plan")->capture_default_str();
   verb->callback([options, &exit_code] { exit_code = sketch(*options); });
 }
+
+}  // namespace opal::cli

@@ -18,6 +18,7 @@
 #include <memory>
 #include <set>
 
+namespace opal::cli {
 namespace {
 
 /// Levels nearer than this are two names of one storey: a raised floor, a helper of the drawing.
@@ -34,25 +35,24 @@ std::string word_of(const std::string& name, std::set<std::string>& taken) {
   return unique;
 }
 
-int total(const opal::Storey& storey) {
+int total(const Storey& storey) {
   int sum = 0;
   for (const auto& [source_class, count] : storey.gives) sum += count;
   return sum;
 }
 
 /// Of levels that are nearly at one height, the one that gives most; those that give nothing go.
-std::vector<opal::Storey> distinct(const std::vector<opal::Storey>& all, std::vector<std::string>& left_out) {
-  std::vector<opal::Storey> kept;
-  const bool has_heights =
-      std::any_of(all.begin(), all.end(), [](const opal::Storey& s) { return s.elevation_m != 0; });
-  for (const opal::Storey& storey : all) {
+std::vector<Storey> distinct(const std::vector<Storey>& all, std::vector<std::string>& left_out) {
+  std::vector<Storey> kept;
+  const bool has_heights = std::any_of(all.begin(), all.end(), [](const Storey& s) { return s.elevation_m != 0; });
+  for (const Storey& storey : all) {
     if (total(storey) == 0) {
       left_out.push_back(fmt::format("left out: '{}', on which nothing is", storey.name));
     } else if (has_heights && !kept.empty() && storey.elevation_m - kept.back().elevation_m < kSameLevel_m) {
-      opal::Storey& below = kept.back();
+      Storey& below = kept.back();
       const bool is_more = total(storey) > total(below);
-      const opal::Storey& gone = is_more ? below : storey;
-      const opal::Storey& stays = is_more ? storey : below;
+      const Storey& gone = is_more ? below : storey;
+      const Storey& stays = is_more ? storey : below;
       left_out.push_back(fmt::format("left out: '{}', {:.2f} m from '{}', which shows more", gone.name,
                                      std::abs(storey.elevation_m - below.elevation_m), stays.name));
       if (is_more) below = storey;
@@ -64,14 +64,14 @@ std::vector<opal::Storey> distinct(const std::vector<opal::Storey>& all, std::ve
 }
 
 /// @throws opal::ConfigError for a name that no level has.
-std::vector<opal::Storey> without(const std::vector<opal::Storey>& all, const std::vector<std::string>& names,
-                                  std::vector<std::string>& left_out) {
+std::vector<Storey> without(const std::vector<Storey>& all, const std::vector<std::string>& names,
+                            std::vector<std::string>& left_out) {
   std::vector<std::string> known;
-  for (const opal::Storey& storey : all) known.push_back(opal::in_quotes(storey.name));
-  std::vector<opal::Storey> kept = all;
+  for (const Storey& storey : all) known.push_back(in_quotes(storey.name));
+  std::vector<Storey> kept = all;
   for (const std::string& name : names) {
-    if (std::erase_if(kept, [&](const opal::Storey& storey) { return storey.name == name; }) == 0)
-      throw opal::ConfigError("--without: no storey '" + name + "', expected one of " + opal::listed(known));
+    if (std::erase_if(kept, [&](const Storey& storey) { return storey.name == name; }) == 0)
+      throw ConfigError("--without: no storey '" + name + "', expected one of " + listed(known));
     left_out.push_back("left out: '" + name + "', as asked for");
   }
   return kept;
@@ -92,42 +92,41 @@ std::string stem_of(const std::string& path) {
 /// its own middle.
 class StoreyMaps {
  public:
-  StoreyMaps(const opal::PluginRegistry& registry, const std::vector<std::string>& words)
+  StoreyMaps(const PluginRegistry& registry, const std::vector<std::string>& words)
       : registry_(registry), words_(words) {}
 
-  std::shared_ptr<const opal::SemanticMap> load(const std::string& file) {
-    if (opal::session::is_map_document(file) || opal::read_store_source(file))
-      return opal::session::load_map(registry_, file);
-    const opal::RegisteredType& type = opal::session::importer_of(registry_, file);
-    nlohmann::json options = opal::parse_options(type.info.name, type.options, words_);
+  std::shared_ptr<const SemanticMap> load(const std::string& file) {
+    if (session::is_map_document(file) || read_store_source(file)) return session::load_map(registry_, file);
+    const RegisteredType& type = session::importer_of(registry_, file);
+    nlohmann::json options = parse_options(type.info.name, type.options, words_);
     const bool has_origin = options.contains(kOrigin) || options.contains("origin_lon_deg");
     const bool takes_origin = std::any_of(type.options.begin(), type.options.end(),
-                                          [](const opal::OptionInfo& option) { return option.name == kOrigin; });
+                                          [](const OptionInfo& option) { return option.name == kOrigin; });
     if (takes_origin && !has_origin && !first_.empty()) options[kOrigin] = first_;
     if (takes_origin && first_.empty()) first_ = file;
-    return opal::session::import_map(registry_, file, options).map;
+    return session::import_map(registry_, file, options).map;
   }
 
  private:
   static constexpr const char* kOrigin = "origin_file";
-  const opal::PluginRegistry& registry_;
+  const PluginRegistry& registry_;
   const std::vector<std::string>& words_;
   std::string first_;
 };
 
 int stack(const StackFilesOptions& options) {
-  const opal::PluginRegistry registry = opal::session::load_plugins();
+  const PluginRegistry registry = session::load_plugins();
   StoreyMaps maps(registry, options.words);
   std::set<std::string> taken;
-  std::vector<opal::StoreyPart> parts;
+  std::vector<StoreyPart> parts;
   for (const std::string& file : options.maps) {
     const auto map = maps.load(file);
     parts.push_back({word_of(stem_of(file), taken), map->origin().storey, {}, map});
   }
   const std::string name = options.name.empty() ? stem_of(options.out) : options.name;
-  const auto map = finished(opal::stacked_map(name, parts, options.stack), options);
-  opal::write_map(*map, options.out);
-  std::cout << stacked_sentence(options.out, *map) << ", " << opal::count_of(map->features().size(), "feature") << '\n';
+  const auto map = finished(stacked_map(name, parts, options.stack), options);
+  write_map(*map, options.out);
+  std::cout << stacked_sentence(options.out, *map) << ", " << count_of(map->features().size(), "feature") << '\n';
   return kDone;
 }
 
@@ -140,20 +139,19 @@ void StackVerbOptions::add_to(CLI::App& verb) {
       ->check(CLI::ExistingFile);
 }
 
-ImportedStoreys import_storeys(const opal::PluginRegistry& registry, const std::string& source,
-                               const nlohmann::json& options, const StackVerbOptions& stack) {
-  const opal::RegisteredType& type = opal::session::importer_of(registry, source);
-  const std::vector<opal::Storey> all = registry.make<opal::MapImporter>(type.info.name, options)->storeys(source);
-  if (all.empty())
-    throw opal::MapError(source + ": has no storeys, expected a source that names some; leave out --all");
+ImportedStoreys import_storeys(const PluginRegistry& registry, const std::string& source, const nlohmann::json& options,
+                               const StackVerbOptions& stack) {
+  const RegisteredType& type = session::importer_of(registry, source);
+  const std::vector<Storey> all = registry.make<MapImporter>(type.info.name, options)->storeys(source);
+  if (all.empty()) throw MapError(source + ": has no storeys, expected a source that names some; leave out --all");
   ImportedStoreys imported;
   std::set<std::string> taken;
-  for (const opal::Storey& storey : distinct(without(all, stack.without, imported.left_out), imported.left_out)) {
+  for (const Storey& storey : distinct(without(all, stack.without, imported.left_out), imported.left_out)) {
     nlohmann::json one = options;
     one["storey"] = storey.name;
     try {
-      imported.imports.push_back(registry.make<opal::MapImporter>(type.info.name, one)->import(source));
-    } catch (const opal::MapError& error) {
+      imported.imports.push_back(registry.make<MapImporter>(type.info.name, one)->import(source));
+    } catch (const MapError& error) {
       imported.left_out.push_back(fmt::format("left out: '{}': {}", storey.name, error.what()));
       continue;
     }
@@ -162,16 +160,15 @@ ImportedStoreys import_storeys(const opal::PluginRegistry& registry, const std::
                               has_height ? std::optional(storey.elevation_m) : std::nullopt,
                               imported.imports.back().map});
   }
-  if (imported.parts.empty()) throw opal::MapError(source + ": no storey gives a map, expected walls on some");
-  imported.stacked = opal::stacked_map(stem_of(source), imported.parts, stack.stack);
+  if (imported.parts.empty()) throw MapError(source + ": no storey gives a map, expected walls on some");
+  imported.stacked = stacked_map(stem_of(source), imported.parts, stack.stack);
   return imported;
 }
 
-std::shared_ptr<const opal::SemanticMap> finished(const opal::StackedMap& stacked, const StackVerbOptions& options) {
-  const opal::StackedMap all =
-      options.connections.empty() ? stacked : opal::with_connections(stacked, options.connections);
+std::shared_ptr<const SemanticMap> finished(const StackedMap& stacked, const StackVerbOptions& options) {
+  const StackedMap all = options.connections.empty() ? stacked : with_connections(stacked, options.connections);
   for (const std::string& sentence : all.report) std::cout << sentence << '\n';
-  for (const opal::MapStorey& storey : all.map->origin().storeys)
+  for (const MapStorey& storey : all.map->origin().storeys)
     std::cout << fmt::format(
         "storey {}: x {:.0f} m, y {:.0f} m to x {:.0f} m, y {:.0f} m; its origin at {:.0f} {:.0f}\n", storey.id,
         storey.bounds[0].x(), storey.bounds[0].y(), storey.bounds[1].x(), storey.bounds[1].y(), storey.origin.x(),
@@ -179,9 +176,9 @@ std::shared_ptr<const opal::SemanticMap> finished(const opal::StackedMap& stacke
   return all.map;
 }
 
-std::string stacked_sentence(const std::string& out, const opal::SemanticMap& map) {
-  return "written: " + out + ", " + opal::count_of(map.origin().storeys.size(), "storey") + ", " +
-         opal::count_of(map.origin().connections.size(), "connection");
+std::string stacked_sentence(const std::string& out, const SemanticMap& map) {
+  return "written: " + out + ", " + count_of(map.origin().storeys.size(), "storey") + ", " +
+         count_of(map.origin().connections.size(), "connection");
 }
 
 void add_map_stack(CLI::App& map, int& exit_code) {
@@ -196,3 +193,5 @@ void add_map_stack(CLI::App& map, int& exit_code) {
   options->add_to(*verb);
   verb->callback([options, &exit_code] { exit_code = stack(*options); });
 }
+
+}  // namespace opal::cli

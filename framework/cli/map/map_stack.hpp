@@ -10,12 +10,14 @@
 #include <string>
 #include <vector>
 
+namespace opal::cli {
+
 /// `opal map stack`: several storeys become one map.
 void add_map_stack(CLI::App& map, int& exit_code);
 
 /// The options of every verb that lays storeys side by side.
 struct StackVerbOptions {
-  opal::StackOptions stack;
+  StackOptions stack;
   std::string connections;
   std::vector<std::string> without;  ///< names of storeys of a source
 
@@ -24,17 +26,19 @@ struct StackVerbOptions {
 
 /// Every storey of a source that has several, in one map.
 struct ImportedStoreys {
-  opal::StackedMap stacked;
-  std::vector<opal::StoreyPart> parts;
-  std::vector<opal::MapImport> imports;  ///< by part
-  std::vector<std::string> left_out;     ///< sentences
+  StackedMap stacked;
+  std::vector<StoreyPart> parts;
+  std::vector<MapImport> imports;     ///< by part
+  std::vector<std::string> left_out;  ///< sentences
 };
 /// @param options  of the importer, without `storey`.
 /// @throws opal::MapError if the source has no storeys, or none of them gives anything.
-ImportedStoreys import_storeys(const opal::PluginRegistry& registry, const std::string& source,
-                               const nlohmann::json& options, const StackVerbOptions& stack);
+ImportedStoreys import_storeys(const PluginRegistry& registry, const std::string& source, const nlohmann::json& options,
+                               const StackVerbOptions& stack);
 
 /// The map, with connections of a file if one is named; tells what was found.
-std::shared_ptr<const opal::SemanticMap> finished(const opal::StackedMap& stacked, const StackVerbOptions& options);
+std::shared_ptr<const SemanticMap> finished(const StackedMap& stacked, const StackVerbOptions& options);
 /// "written: FILE, 3 storeys, 1 connection".
-std::string stacked_sentence(const std::string& out, const opal::SemanticMap& map);
+std::string stacked_sentence(const std::string& out, const SemanticMap& map);
+
+}  // namespace opal::cli

@@ -30,6 +30,7 @@
 #include <iostream>
 #include <memory>
 
+namespace opal::cli {
 namespace {
 
 struct CheckOptions {
@@ -38,7 +39,7 @@ struct CheckOptions {
 };
 
 /// A line each, but one for all that nothing asks for.
-void tell_reasons(const opal::PipelinePlan& plan) {
+void tell_reasons(const PipelinePlan& plan) {
   std::vector<std::string> idle;
   for (const std::string& reason : plan.reasons) {
     const auto named = std::find_if(plan.on_request.begin(), plan.on_request.end(),
@@ -49,15 +50,14 @@ void tell_reasons(const opal::PipelinePlan& plan) {
       idle.push_back(*named);
   }
   if (!idle.empty())
-    std::cout << "not running, as neither patterns of the map nor a deployment name them: " << opal::listed(idle)
-              << '\n';
+    std::cout << "not running, as neither patterns of the map nor a deployment name them: " << listed(idle) << '\n';
 }
 
 int check(const CheckOptions& options) {
-  const opal::PluginRegistry registry = opal::session::load_plugins();
-  const auto map = opal::session::with_overlays(opal::session::load_map(registry, options.map), options.overlays.files);
-  for (const std::string& sentence : opal::check_map(*map).sentences()) std::cout << sentence << '\n';
-  const opal::PipelinePlan plan = opal::plan_pipeline(*map, options.sensor, registry.types());
+  const PluginRegistry registry = session::load_plugins();
+  const auto map = session::with_overlays(session::load_map(registry, options.map), options.overlays.files);
+  for (const std::string& sentence : check_map(*map).sentences()) std::cout << sentence << '\n';
+  const PipelinePlan plan = plan_pipeline(*map, options.sensor, registry.types());
   tell_reasons(plan);
   check_layer(registry, map, options.sensor);
   return plan.detectors.empty() || plan.patterns.empty() ? kNo : kDone;
@@ -78,11 +78,11 @@ struct DamageVerbOptions {
 };
 
 int damage(const DamageVerbOptions& options) {
-  const opal::PluginRegistry registry = opal::session::load_plugins();
-  const auto worse = opal::session::load_map(registry, options.map, options.damage.damage());
-  opal::write_map(*worse, options.out);
+  const PluginRegistry registry = session::load_plugins();
+  const auto worse = session::load_map(registry, options.map, options.damage.damage());
+  write_map(*worse, options.out);
   std::cout << "written: " << options.out << ", " << worse->features().size() << " features of "
-            << opal::session::load_map(registry, options.map)->features().size() << '\n';
+            << session::load_map(registry, options.map)->features().size() << '\n';
   return kDone;
 }
 
@@ -103,10 +103,10 @@ struct JoinVerbOptions {
 };
 
 /// All of them, or the first few of thousands.
-void tell_places(const std::vector<opal::MapPlacement>& placements) {
+void tell_places(const std::vector<MapPlacement>& placements) {
   constexpr std::size_t kMost = 30;
   for (std::size_t k = 0; k < std::min(kMost, placements.size()); ++k) {
-    const opal::MapPlacement& placement = placements[k];
+    const MapPlacement& placement = placements[k];
     fmt::print("{}: moved by {:.0f} m, {:.0f} m; scale {:.3f}, {:.3f}\n", placement.id, placement.T_map_source.x(),
                placement.T_map_source.y(), placement.scale.x(), placement.scale.y());
   }
@@ -114,14 +114,14 @@ void tell_places(const std::vector<opal::MapPlacement>& placements) {
 }
 
 int join(const JoinVerbOptions& options) {
-  const opal::PluginRegistry registry = opal::session::load_plugins();
-  std::vector<opal::MapSourcePart> sources;
+  const PluginRegistry registry = session::load_plugins();
+  std::vector<MapSourcePart> sources;
   for (const std::string& map : options.maps)
-    sources.push_back({opal::session::name_of_map(map), opal::session::load_map(registry, map)});
-  const auto joined = opal::joined_map(sources, options.join.join);
-  opal::write_map(*joined, options.out);
+    sources.push_back({session::name_of_map(map), session::load_map(registry, map)});
+  const auto joined = joined_map(sources, options.join.join);
+  write_map(*joined, options.out);
   tell_places(joined->origin().placements);
-  for (const opal::MapSourcePart& source : sources)
+  for (const MapSourcePart& source : sources)
     if (!source.map->unused().empty())
       fmt::print("left out of {}: what other vocabularies say about {} things\n", source.prefix,
                  source.map->unused().size());
@@ -142,16 +142,16 @@ void add_join(CLI::App& map, int& exit_code) {
 
 struct RasterVerbOptions {
   std::string map, out;
-  opal::RasterOptions raster;
+  RasterOptions raster;
 };
 
 int raster(const RasterVerbOptions& options) {
   const std::string extension = std::filesystem::path(options.out).extension().string();
   if (extension != ".yaml" && extension != ".yml")
-    throw opal::ConfigError(options.out + ": expected a name that ends with .yaml; the image goes beside it (.pgm)");
-  const auto map = opal::session::load_map(opal::session::load_plugins(), options.map);
-  const opal::MapRaster raster = opal::rasterized(*map, options.raster);
-  opal::write_raster(raster, options.out);
+    throw ConfigError(options.out + ": expected a name that ends with .yaml; the image goes beside it (.pgm)");
+  const auto map = session::load_map(session::load_plugins(), options.map);
+  const MapRaster raster = rasterized(*map, options.raster);
+  write_raster(raster, options.out);
   std::cout << "written: " << options.out << ", " << raster.columns << " x " << raster.rows << " cells of "
             << raster.resolution_m << " m\n";
   return kDone;
@@ -169,7 +169,7 @@ void add_raster(CLI::App& map, int& exit_code) {
 
 }  // namespace
 
-void opal::add_map_verb(CLI::App& app, int& exit_code) {
+void add_map_verb(CLI::App& app, int& exit_code) {
   CLI::App* map = app.add_subcommand(
       "map",
       "semantic maps: import, storeys, stack, check, patterns, derive, frame, overlay, review, damage, join, "
@@ -193,3 +193,5 @@ void opal::add_map_verb(CLI::App& app, int& exit_code) {
   add_map_diff(*map, exit_code);
   add_map_generate(*map, exit_code);
 }
+
+}  // namespace opal::cli

@@ -7,6 +7,8 @@
 #include <optional>
 #include <string>
 
+namespace opal::cli {
+
 /// The options of every verb that makes a map worse.
 struct DamageOptions {
   std::string words;
@@ -25,13 +27,15 @@ struct DamageOptions {
   bool any() const { return plan_m > 0 || !words.empty(); }
 
   /// @throws opal::ConfigError if the words make no sense.
-  opal::MapDamage damage() const {
-    opal::MapDamage damage = opal::read_map_damage(words);
+  MapDamage damage() const {
+    MapDamage damage = read_map_damage(words);
     if (plan_m > 0) damage.plan_m = plan_m;
     damage.seed = seed;
     return damage;
   }
 
   /// Nothing unless any was asked for.
-  std::optional<opal::MapDamage> asked() const { return any() ? std::optional(damage()) : std::nullopt; }
+  std::optional<MapDamage> asked() const { return any() ? std::optional(damage()) : std::nullopt; }
 };
+
+}  // namespace opal::cli

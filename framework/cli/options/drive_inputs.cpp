@@ -13,44 +13,42 @@
 #include <filesystem>
 #include <iostream>
 
+namespace opal::cli {
 namespace {
 
 namespace fs = std::filesystem;
 
 /// One drive per window of a log.
-std::vector<opal::DriveEvidence> watched(const LogRunOptions& options, const opal::PluginRegistry& registry,
-                                         const std::string& log_file,
-                                         const std::shared_ptr<const opal::SemanticMap>& map) {
+std::vector<DriveEvidence> watched(const LogRunOptions& options, const PluginRegistry& registry,
+                                   const std::string& log_file, const std::shared_ptr<const SemanticMap>& map) {
   LogRunOptions run = options;
   run.log = log_file;
-  opal::Deployment deployment = run.deployment();
-  const opal::benchmark::RecordedLog log =
-      opal::benchmark::read_recorded_log(registry, log_file, deployment, run.log_words);
+  Deployment deployment = run.deployment();
+  const benchmark::RecordedLog log = benchmark::read_recorded_log(registry, log_file, deployment, run.log_words);
   deployment.lasers = run.lasers_of(log.records, deployment.lasers);
-  const opal::LocalizerParts parts = opal::build_parts(deployment, registry, map);
-  std::vector<opal::DriveEvidence> drives;
-  for (const opal::Query& window : run.windows()) {
-    opal::ReplayOptions cut;
+  const LocalizerParts parts = build_parts(deployment, registry, map);
+  std::vector<DriveEvidence> drives;
+  for (const Query& window : run.windows()) {
+    ReplayOptions cut;
     cut.from_s = window.start_s;
     cut.to_s = window.end_s;
-    opal::Replay replay(log.records, deployment.lasers, cut);
+    Replay replay(log.records, deployment.lasers, cut);
     const std::string name = fs::path(log_file).filename().string();
     drives.push_back(observed_drive(parts, replay, run.queries.empty() ? name : name + " " + window.id));
-    const opal::DriveEvidence& drive = drives.back();
+    const DriveEvidence& drive = drives.back();
     fmt::print("{}: learned along {:.0f} m in {}; {:.0f} m left out\n", drive.drive, drive.learned_m,
-               opal::count_of(drive.visits.size(), "visit"), drive.left_out_m);
+               count_of(drive.visits.size(), "visit"), drive.left_out_m);
   }
   return drives;
 }
 
-std::vector<opal::DriveEvidence> pushed_by_robots(const opal::PluginRegistry& registry,
-                                                  const opal::session::VersionedMap& map) {
+std::vector<DriveEvidence> pushed_by_robots(const PluginRegistry& registry, const session::VersionedMap& map) {
   if (!map.version)
-    throw opal::ConfigError("LOG is missing: without a recorded log or evidence (.json), MAP must be store:BUILDING");
-  const auto store = opal::session::map_store(registry);
-  opal::FleetEvidence evidence = opal::evidence_in(*store, *map.version, map.map->name());
+    throw ConfigError("LOG is missing: without a recorded log or evidence (.json), MAP must be store:BUILDING");
+  const auto store = session::map_store(registry);
+  FleetEvidence evidence = evidence_in(*store, *map.version, map.map->name());
   for (const std::string& refusal : evidence.refused) std::cerr << "opal: left out: " << refusal << '\n';
-  fmt::print("{} drives about {}, from {}\n", evidence.drives.size(), opal::text_of(*map.version), store->where());
+  fmt::print("{} drives about {}, from {}\n", evidence.drives.size(), text_of(*map.version), store->where());
   return std::move(evidence.drives);
 }
 
@@ -70,23 +68,24 @@ void DriveInputs::add_to(CLI::App& verb) {
   run.overlays.add_to(verb, ", beside those of the deployment");
 }
 
-std::vector<opal::DriveEvidence> DriveInputs::drives(const opal::PluginRegistry& registry,
-                                                     const opal::session::VersionedMap& loaded) const {
+std::vector<DriveEvidence> DriveInputs::drives(const PluginRegistry& registry,
+                                               const session::VersionedMap& loaded) const {
   if (files.empty()) return pushed_by_robots(registry, loaded);
   const auto& map = loaded.map;
-  std::vector<opal::DriveEvidence> drives;
+  std::vector<DriveEvidence> drives;
   for (const std::string& file : files) {
     if (is_evidence(file)) {
-      const nlohmann::json document = opal::read_json(file);
+      const nlohmann::json document = read_json(file);
       for (const nlohmann::json& drive : document.is_array() ? document : nlohmann::json::array({document}))
-        drives.push_back(opal::drive_evidence_from(drive, file));
+        drives.push_back(drive_evidence_from(drive, file));
       continue;
     }
-    for (opal::DriveEvidence& drive : watched(run, registry, file, map)) drives.push_back(std::move(drive));
+    for (DriveEvidence& drive : watched(run, registry, file, map)) drives.push_back(std::move(drive));
   }
-  for (const opal::DriveEvidence& drive : drives)
+  for (const DriveEvidence& drive : drives)
     if (drive.map != map->name())
-      throw opal::ConfigError(drive.drive + ": tells of the map \"" + drive.map + "\", expected \"" + map->name() +
-                              "\"");
+      throw ConfigError(drive.drive + ": tells of the map \"" + drive.map + "\", expected \"" + map->name() + "\"");
   return drives;
 }
+
+}  // namespace opal::cli

@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+namespace opal::cli {
+
 /// What drives say of a map: recorded logs, and evidence that was gathered before.
 struct DriveInputs {
   LogRunOptions run;               ///< MAP, and how logs are played
@@ -19,6 +21,7 @@ struct DriveInputs {
   /// The evidence of all files; without files, what robots have pushed about this version of the map. What is learned
   /// from logs, and what the store has that is no evidence, is told on the screen.
   /// @throws opal::ConfigError naming a drive if it tells of another map; without files if the map is in no store.
-  std::vector<opal::DriveEvidence> drives(const opal::PluginRegistry& registry,
-                                          const opal::session::VersionedMap& map) const;
+  std::vector<DriveEvidence> drives(const PluginRegistry& registry, const session::VersionedMap& map) const;
 };
+
+}  // namespace opal::cli

@@ -1,5 +1,7 @@
 #pragma once
 
+namespace opal::cli {
+
 /// What the program says by its exit code, the same for every command. docs/start.md lists them for users.
 enum ExitCode : int {
   kDone = 0,
@@ -15,3 +17,5 @@ constexpr int interrupted_by(int signal) {
   constexpr int kSignals = 128;
   return kSignals + signal;
 }
+
+}  // namespace opal::cli

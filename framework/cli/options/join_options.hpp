@@ -4,9 +4,11 @@
 
 #include <CLI/CLI.hpp>
 
+namespace opal::cli {
+
 /// The options of every verb that puts maps side by side.
 struct JoinOptions {
-  opal::MapJoin join;
+  MapJoin join;
 
   void add_to(CLI::App& verb) {
     verb.add_option("--gap", join.gap_m, "between neighbouring maps [m]")->capture_default_str();
@@ -15,3 +17,5 @@ struct JoinOptions {
         ->capture_default_str();
   }
 };
+
+}  // namespace opal::cli

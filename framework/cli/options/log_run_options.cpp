@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <limits>
 
+namespace opal::cli {
+
 void add_log_words(CLI::App& verb, std::vector<std::string>& words) {
   verb.add_option("--log-set", words,
                   "an option of the log's source, NAME=VALUE (scan_topic=/front), before those of the deployment; "
@@ -25,32 +27,32 @@ void LogRunOptions::add_to(CLI::App& verb, const std::string& written) {
   verb.add_option("--info", info, "SITE.info.json that describes the laser; overrides the deployment's");
 }
 
-opal::Deployment LogRunOptions::deployment() const {
-  opal::Deployment deployment = opal::read_deployment(opal::session::config_file(config));
+Deployment LogRunOptions::deployment() const {
+  Deployment deployment = read_deployment(session::config_file(config));
   if (!map.empty()) deployment.map = map;
   deployment.overlays.insert(deployment.overlays.end(), overlays.files.begin(), overlays.files.end());
-  if (deployment.map.empty()) throw opal::ConfigError(config + ": /map: missing; name a map here or with --map");
-  if (!info.empty()) deployment = opal::with_lasers(std::move(deployment), {opal::read_site_laser(info)});
+  if (deployment.map.empty()) throw ConfigError(config + ": /map: missing; name a map here or with --map");
+  if (!info.empty()) deployment = with_lasers(std::move(deployment), {read_site_laser(info)});
   return deployment;
 }
 
-std::vector<opal::LaserModel> LogRunOptions::lasers_of(const std::vector<opal::LogRecord>& records,
-                                                       const std::vector<opal::LaserModel>& described) const {
-  return opal::lasers_of_log(records, described, log, info.empty() ? config + ": /sensor" : info);
+std::vector<LaserModel> LogRunOptions::lasers_of(const std::vector<LogRecord>& records,
+                                                 const std::vector<LaserModel>& described) const {
+  return lasers_of_log(records, described, log, info.empty() ? config + ": /sensor" : info);
 }
 
-std::string LogRunOptions::mount_doubt(const std::vector<opal::LogRecord>& records,
-                                       const opal::Deployment& described) const {
-  const auto is_mount = [](const opal::LogRecord& record) { return std::holds_alternative<opal::MountRecord>(record); };
-  const bool is_stated =
-      opal::takes_geometry_from_log(described) && std::any_of(records.begin(), records.end(), is_mount);
+std::string LogRunOptions::mount_doubt(const std::vector<LogRecord>& records, const Deployment& described) const {
+  const auto is_mount = [](const LogRecord& record) { return std::holds_alternative<MountRecord>(record); };
+  const bool is_stated = takes_geometry_from_log(described) && std::any_of(records.begin(), records.end(), is_mount);
   if (described.describes_mount || is_stated) return "";
   return "nothing says where the laser sits on the robot (" + config +
          ": /sensor/T_base_laser): it is taken to be in the middle, and a pose is wrong by as much as it is not";
 }
 
-std::vector<opal::Query> LogRunOptions::windows() const {
-  if (!queries.empty()) return opal::read_queries(queries);
+std::vector<Query> LogRunOptions::windows() const {
+  if (!queries.empty()) return read_queries(queries);
   const double forever = std::numeric_limits<double>::infinity();
   return {{"run", -forever, forever}};
 }
+
+}  // namespace opal::cli

@@ -12,6 +12,8 @@
 #include <string>
 #include <vector>
 
+namespace opal::cli {
+
 /// Adds --log-set.
 void add_log_words(CLI::App& verb, std::vector<std::string>& words);
 
@@ -25,12 +27,14 @@ struct LogRunOptions {
   /// @param written  what goes into the folder.
   void add_to(CLI::App& verb, const std::string& written);
   /// The deployment with what was said instead or besides. @throws opal::ConfigError if it has no map.
-  opal::Deployment deployment() const;
+  Deployment deployment() const;
   /// `described` with what the log states of its laser. @throws opal::ConfigError if it states something else.
-  std::vector<opal::LaserModel> lasers_of(const std::vector<opal::LogRecord>& records,
-                                          const std::vector<opal::LaserModel>& described) const;
+  std::vector<LaserModel> lasers_of(const std::vector<LogRecord>& records,
+                                    const std::vector<LaserModel>& described) const;
   /// In words, that neither the deployment nor the log says where the laser sits on the robot; empty: one of them does.
-  std::string mount_doubt(const std::vector<opal::LogRecord>& records, const opal::Deployment& described) const;
+  std::string mount_doubt(const std::vector<LogRecord>& records, const Deployment& described) const;
   /// What to play: the queries, or the whole log.
-  std::vector<opal::Query> windows() const;
+  std::vector<Query> windows() const;
 };
+
+}  // namespace opal::cli

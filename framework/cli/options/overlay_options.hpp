@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+namespace opal::cli {
+
 /// The option of every verb that reads a map which overlays may change.
 struct OverlayFiles {
   std::vector<std::string> files;
@@ -14,3 +16,5 @@ struct OverlayFiles {
                     "overlay document, may be given several times: what the map lacks or has wrong" + instead);
   }
 };
+
+}  // namespace opal::cli

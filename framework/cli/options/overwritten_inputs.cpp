@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <string_view>
 
+namespace opal::cli {
 namespace {
 
 namespace fs = std::filesystem;
@@ -39,8 +40,8 @@ void expect_other_file(const CLI::App& command, const CLI::Option& output) {
     for (const std::string& read : input->results())
       for (const std::string& written : output.results())
         if (is_same_file(written, read))
-          throw opal::ConfigError(written + ": is read as " + input->get_name() + ", expected another file for " +
-                                  output.get_name());
+          throw ConfigError(written + ": is read as " + input->get_name() + ", expected another file for " +
+                            output.get_name());
   }
 }
 
@@ -53,3 +54,5 @@ void expect_no_input_overwritten(const CLI::App& app) {
     expect_no_input_overwritten(*command);
   }
 }
+
+}  // namespace opal::cli

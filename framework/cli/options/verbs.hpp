@@ -2,7 +2,7 @@
 
 #include <CLI/CLI.hpp>
 
-namespace opal {
+namespace opal::cli {
 
 /// Each verb adds its subcommand with its options to the program, and sets the exit code when it has run.
 
@@ -69,4 +69,4 @@ void add_calibrate_verb(CLI::App& app, int& exit_code);
 /// `opal calibration RUN...`: how far the probabilities of bench runs can be trusted.
 void add_calibration_verb(CLI::App& app, int& exit_code);
 
-}  // namespace opal
+}  // namespace opal::cli

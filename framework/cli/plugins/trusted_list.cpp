@@ -15,7 +15,7 @@
 #include <filesystem>
 #include <map>
 
-namespace opal {
+namespace opal::cli {
 namespace {
 
 namespace fs = std::filesystem;
@@ -63,4 +63,4 @@ std::string trusted_list(const TrustedListRequest& request) {
   return fmt::format("\"trusted_plugins\": [\n{}\n]\n", fmt::join(entries, ",\n"));
 }
 
-}  // namespace opal
+}  // namespace opal::cli

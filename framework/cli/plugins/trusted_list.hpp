@@ -2,7 +2,7 @@
 
 #include <string>
 
-namespace opal {
+namespace opal::cli {
 
 /// What the list is to hold.
 struct TrustedListRequest {
@@ -15,4 +15,4 @@ struct TrustedListRequest {
 /// that the deployment has is not asked. @throws Error if the deployment does not run with this map.
 std::string trusted_list(const TrustedListRequest& request);
 
-}  // namespace opal
+}  // namespace opal::cli

@@ -16,7 +16,7 @@
 #include <memory>
 #include <set>
 
-namespace opal {
+namespace opal::cli {
 namespace {
 
 using nlohmann::ordered_json;
@@ -206,4 +206,4 @@ void add_plugins_verb(CLI::App& app, int& exit_code) {
   });
 }
 
-}  // namespace opal
+}  // namespace opal::cli

@@ -11,6 +11,7 @@
 #include <array>
 #include <iostream>
 
+namespace opal::cli {
 namespace {
 
 std::string host_name() {
@@ -20,35 +21,35 @@ std::string host_name() {
 
 }  // namespace
 
-LearningRobot::LearningRobot(const LearningOptions& options, const opal::PluginRegistry& plugins,
-                             const opal::session::VersionedMap& map)
+LearningRobot::LearningRobot(const LearningOptions& options, const PluginRegistry& plugins,
+                             const session::VersionedMap& map)
     : options_(options) {
   if (!options.is_pushed) return;
-  store_ = opal::session::map_store(plugins);
+  store_ = session::map_store(plugins);
   version_ = map.version.value();
-  outbox_ = opal::EvidenceOutbox::usual();
+  outbox_ = EvidenceOutbox::usual();
 }
 
 LearningRobot::~LearningRobot() { ends_ = true; }
 
-void LearningRobot::begin(const opal::LocalizerParts& parts) {
-  observer_ = std::make_unique<opal::LiveObserver>(parts, host_name() + " " + opal::now_utc(),
-                                                   [this](const opal::DriveEvidence& evidence) { keep(evidence); });
+void LearningRobot::begin(const LocalizerParts& parts) {
+  observer_ = std::make_unique<LiveObserver>(parts, host_name() + " " + now_utc(),
+                                             [this](const DriveEvidence& evidence) { keep(evidence); });
 }
 
-void LearningRobot::take(const opal::LogRecord& record) {
+void LearningRobot::take(const LogRecord& record) {
   if (observer_) observer_->take(record);
 }
 
-void LearningRobot::keep(const opal::DriveEvidence& evidence) {
+void LearningRobot::keep(const DriveEvidence& evidence) {
   const nlohmann::ordered_json document = to_json(evidence);
   try {
     if (!options_.evidence.empty()) {
       said_.push_back(document);
-      opal::write_text(options_.evidence, said_.dump(1) + '\n');
+      write_text(options_.evidence, said_.dump(1) + '\n');
     }
     if (outbox_) outbox_->keep(store_->where(), version_, document.dump());
-  } catch (const opal::Error& error) {
+  } catch (const Error& error) {
     std::cerr << "ros2: " << error.what() << ": what this visit has taught is lost\n";
   }
   if (store_ && !ends_) send();
@@ -56,9 +57,11 @@ void LearningRobot::keep(const opal::DriveEvidence& evidence) {
 
 void LearningRobot::send() {
   try {
-    for (const std::string& refusal : opal::send_waiting(*store_, *outbox_).refused)
+    for (const std::string& refusal : send_waiting(*store_, *outbox_).refused)
       std::cerr << "ros2: not pushed: " << refusal << '\n';
-  } catch (const opal::Error& error) {  // it waits
+  } catch (const Error& error) {  // it waits
     std::cerr << "ros2: not pushed yet: " << error.what() << '\n';
   }
 }
+
+}  // namespace opal::cli

@@ -10,6 +10,8 @@
 #include <string>
 #include <vector>
 
+namespace opal::cli {
+
 /// Where a robot's evidence goes while it drives.
 struct LearningOptions {
   std::string evidence;    ///< a file (.json), written anew after each visit; empty: none
@@ -23,26 +25,27 @@ struct LearningOptions {
 class LearningRobot {
  public:
   /// @param map  that the robot is localized on; if evidence shall be pushed, a version of a map store.
-  LearningRobot(const LearningOptions& options, const opal::PluginRegistry& plugins,
-                const opal::session::VersionedMap& map);
+  LearningRobot(const LearningOptions& options, const PluginRegistry& plugins, const session::VersionedMap& map);
   /// Ends the visit. It is kept, and sent by the next program that pushes: nobody waits for a server now.
   ~LearningRobot();
   LearningRobot(const LearningRobot&) = delete;
   LearningRobot& operator=(const LearningRobot&) = delete;
 
-  void begin(const opal::LocalizerParts& parts);
+  void begin(const LocalizerParts& parts);
   /// Before `begin`: left out.
-  void take(const opal::LogRecord& record);
+  void take(const LogRecord& record);
 
  private:
-  void keep(const opal::DriveEvidence& evidence);
+  void keep(const DriveEvidence& evidence);
   void send();
 
   LearningOptions options_;
-  std::shared_ptr<const opal::MapStore> store_;  ///< null: not pushed
-  opal::StoreSource version_;
-  std::optional<opal::EvidenceOutbox> outbox_;
+  std::shared_ptr<const MapStore> store_;  ///< null: not pushed
+  StoreSource version_;
+  std::optional<EvidenceOutbox> outbox_;
   nlohmann::ordered_json said_ = nlohmann::ordered_json::array();
   std::atomic<bool> ends_ = false;
-  std::unique_ptr<opal::LiveObserver> observer_;  ///< last: its thread ends before what it uses
+  std::unique_ptr<LiveObserver> observer_;  ///< last: its thread ends before what it uses
 };
+
+}  // namespace opal::cli

@@ -9,7 +9,7 @@
 
 #include <algorithm>
 
-namespace opal {
+namespace opal::cli {
 namespace {
 
 const std::vector<std::string> kSourcesOfRobot{"opal:McapLog", "opal:Ros2Bag"};
@@ -200,4 +200,4 @@ ros2::NodeOptions Ros2Options::node(const Deployment& deployment) const {
   return node;
 }
 
-}  // namespace opal
+}  // namespace opal::cli

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace opal {
+namespace opal::cli {
 
 /// What `opal ros2` is told.
 struct Ros2Options {
@@ -51,4 +51,4 @@ struct Ros2Options {
   void add_running(CLI::App& verb);
 };
 
-}  // namespace opal
+}  // namespace opal::cli

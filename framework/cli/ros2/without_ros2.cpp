@@ -2,7 +2,9 @@
 
 #include <opal/common/error.hpp>
 
-void opal::add_ros2_verb(CLI::App& app, int&) {
+namespace opal::cli {
+
+void add_ros2_verb(CLI::App& app, int&) {
   CLI::App* verb = app.add_subcommand("ros2", "localize a running robot as a node of ROS 2 (not in this build)");
   verb->allow_extras();
   verb->callback([] {
@@ -10,3 +12,5 @@ void opal::add_ros2_verb(CLI::App& app, int&) {
         "ros2: this program was built without Cyclone DDS; install cyclonedds-dev and cyclonedds-tools, build again");
   });
 }
+
+}  // namespace opal::cli

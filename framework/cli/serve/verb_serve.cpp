@@ -10,9 +10,10 @@
 #include <iostream>
 #include <mutex>
 
+namespace opal::cli {
 namespace {
 
-using opal::remote::LocalizationServer;
+using remote::LocalizationServer;
 
 struct ServeOptions {
   std::string config, map;
@@ -20,13 +21,13 @@ struct ServeOptions {
 };
 
 int serve(const ServeOptions& options) {
-  opal::Deployment deployment = opal::read_deployment(opal::session::config_file(options.config));
-  const opal::PluginRegistry registry = opal::session::load_plugins(deployment);
+  Deployment deployment = read_deployment(session::config_file(options.config));
+  const PluginRegistry registry = session::load_plugins(deployment);
   if (!options.map.empty()) deployment.map = options.map;
-  const auto map = opal::session::load_map(registry, deployment);
-  opal::build_parts(deployment, registry, map);  // what cannot run is said now, not to the first robot
-  const auto localizer_for = [&](const opal::LaserModel& laser) {
-    return std::make_unique<opal::Localizer>(opal::build_parts(with_lasers(deployment, {laser}), registry, map));
+  const auto map = session::load_map(registry, deployment);
+  build_parts(deployment, registry, map);  // what cannot run is said now, not to the first robot
+  const auto localizer_for = [&](const LaserModel& laser) {
+    return std::make_unique<Localizer>(build_parts(with_lasers(deployment, {laser}), registry, map));
   };
   const StopSignals signals;  // before the server's threads
   const LocalizationServer server(map, deployment.lasers.front().id, localizer_for, options.port);
@@ -39,7 +40,7 @@ int serve(const ServeOptions& options) {
 
 }  // namespace
 
-void opal::add_serve_verb(CLI::App& app, int& exit_code) {
+void add_serve_verb(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<ServeOptions>();
   CLI::App* verb = app.add_subcommand(
       "serve", "localize a robot whose behaviours are another program on this machine: opal drive --localizer");
@@ -50,3 +51,5 @@ void opal::add_serve_verb(CLI::App& app, int& exit_code) {
   verb->add_option("--port", options->port, "0: any free one")->check(CLI::Range(0, 65535))->capture_default_str();
   verb->callback([options, &exit_code] { exit_code = serve(*options); });
 }
+
+}  // namespace opal::cli

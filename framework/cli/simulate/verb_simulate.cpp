@@ -23,9 +23,10 @@
 #include <iostream>
 #include <optional>
 
+namespace opal::cli {
 namespace {
 
-namespace sim = opal::simulation;
+namespace sim = simulation;
 
 struct SimulateOptions : WorldOptions {
   std::string map, out, along, config;
@@ -36,27 +37,27 @@ struct SimulateOptions : WorldOptions {
 
 void set_laser(SimulateOptions& options) {
   if (!options.along.empty()) {
-    options.world.laser = opal::read_site_laser(options.along + ".info.json");
+    options.world.laser = read_site_laser(options.along + ".info.json");
     return;
   }
   if (!options.config.empty()) {
-    const opal::Deployment deployment = opal::read_deployment(opal::session::config_file(options.config));
+    const Deployment deployment = read_deployment(session::config_file(options.config));
     if (!deployment.describes_laser || deployment.lasers.front().geometry_from_log)
-      throw opal::ConfigError(deployment.file + ": /sensor: describes no laser, expected one to simulate");
+      throw ConfigError(deployment.file + ": /sensor: describes no laser, expected one to simulate");
     return options.take_laser(deployment);
   }
-  opal::LaserModel& laser = options.world.laser;
-  constexpr double kDegree_rad = opal::radians(1);
+  LaserModel& laser = options.world.laser;
+  constexpr double kDegree_rad = radians(1);
   const double fov_deg = laser.beams > 1 ? options.fov_deg : 0;  // one beam looks straight ahead
   laser.angle_min_rad = -fov_deg / 2 * kDegree_rad;
   laser.angle_increment_rad = laser.beams > 1 ? fov_deg * kDegree_rad / (laser.beams - 1) : kDegree_rad;
-  laser.T_base_laser = opal::Pose2(options.mount_x_m, 0, 0);
+  laser.T_base_laser = Pose2(options.mount_x_m, 0, 0);
   laser.range_sigma_m = std::max(0.005, options.world.laser_errors.range_sigma_m);
 }
 
 /// What the map holds, with all doors shut.
-sim::RayCaster mapped_solids(const opal::SemanticMap& map) {
-  opal::Random closed(1);
+sim::RayCaster mapped_solids(const SemanticMap& map) {
+  Random closed(1);
   return sim::RayCaster(sim::building_solids(map, 0, closed));
 }
 
@@ -68,12 +69,12 @@ sim::BeamStatistics beams_of(const sim::Recording& made, const sim::RayCaster& m
 }
 
 /// Of the recording along whose way the robot drives.
-sim::BeamStatistics recorded_beams(const opal::PluginRegistry& registry, const SimulateOptions& options,
-                                   const opal::GroundTruth& truth, const sim::RayCaster& mapped) {
-  const opal::LaserModel laser = opal::read_site_laser(options.along + ".info.json");
+sim::BeamStatistics recorded_beams(const PluginRegistry& registry, const SimulateOptions& options,
+                                   const GroundTruth& truth, const sim::RayCaster& mapped) {
+  const LaserModel laser = read_site_laser(options.along + ".info.json");
   sim::BeamStatistics recorded;
-  for (const opal::LogRecord& record : opal::read_all(*opal::session::open_log(registry, options.along + ".log.gz")))
-    if (const auto* scan = std::get_if<opal::RawScan>(&record))
+  for (const LogRecord& record : read_all(*session::open_log(registry, options.along + ".log.gz")))
+    if (const auto* scan = std::get_if<RawScan>(&record))
       if (const auto pose = truth.T_map_laser_at(scan->stamp_s))
         sim::count_beams(*scan, *pose, laser, mapped, recorded);
   return recorded;
@@ -84,8 +85,7 @@ void expect_other_place(const SimulateOptions& options) {
   std::error_code absent;
   for (const char* ending : {".map.jsonld", ".map.yaml"})
     if (std::filesystem::equivalent(options.map, options.out + ending, absent))
-      throw opal::ConfigError(options.out + ending +
-                              ": is the map that is driven in, expected another PREFIX to write");
+      throw ConfigError(options.out + ending + ": is the map that is driven in, expected another PREFIX to write");
 }
 
 void tell_written(const std::string& prefix) {
@@ -94,9 +94,9 @@ void tell_written(const std::string& prefix) {
 }
 
 /// Drives on every storey of a map that holds several.
-int simulate_storeys(const SimulateOptions& options, const opal::SemanticMap& map, const opal::SemanticMap& building) {
+int simulate_storeys(const SimulateOptions& options, const SemanticMap& map, const SemanticMap& building) {
   if (!options.along.empty())
-    throw opal::ConfigError("--along: takes a map of one storey, found " + options.map + " with several");
+    throw ConfigError("--along: takes a map of one storey, found " + options.map + " with several");
   const sim::Recording recording = sim::record_on_storeys(building, options.world, options.drives, options.damage.seed);
   const StopSignals all_or_none;
   sim::write_recorded_place(recording, map, options.out);
@@ -109,20 +109,20 @@ int simulate_storeys(const SimulateOptions& options, const opal::SemanticMap& ma
 int simulate(SimulateOptions options) {
   expect_other_place(options);
   set_laser(options);
-  const opal::PluginRegistry registry = opal::session::load_plugins();
-  const auto map = opal::session::load_map(registry, options.map);
+  const PluginRegistry registry = session::load_plugins();
+  const auto map = session::load_map(registry, options.map);
   options.furnish(registry, *map);
-  const auto building = options.damage.any() ? opal::damaged_map(*map, options.damage.damage()) : map;
+  const auto building = options.damage.any() ? damaged_map(*map, options.damage.damage()) : map;
   if (!map->origin().storeys.empty()) return simulate_storeys(options, *map, *building);
-  const double start_s = opal::process_cpu_s();
+  const double start_s = process_cpu_s();
   sim::Simulation simulation(building, options.world, options.damage.seed);
-  const double ready_s = opal::process_cpu_s();
-  std::optional<opal::GroundTruth> truth;
-  if (!options.along.empty()) truth = opal::GroundTruth::read(options.along + ".gt.csv");
-  const sim::Recording recording =
-      truth ? sim::record_along(simulation, truth->poses())
-            : sim::record(simulation, options.drives, opal::Random(options.damage.seed).branch());
-  const double recorded_s = opal::process_cpu_s();
+  const double ready_s = process_cpu_s();
+  std::optional<GroundTruth> truth;
+  if (!options.along.empty()) truth = GroundTruth::read(options.along + ".gt.csv");
+  const sim::Recording recording = truth
+                                       ? sim::record_along(simulation, truth->poses())
+                                       : sim::record(simulation, options.drives, Random(options.damage.seed).branch());
+  const double recorded_s = process_cpu_s();
   const sim::RayCaster mapped = mapped_solids(*map);
   const sim::BeamStatistics beams = beams_of(recording, mapped);
   if (truth)
@@ -177,7 +177,7 @@ void add_config(CLI::App& verb, SimulateOptions& o) {
 
 }  // namespace
 
-void opal::add_simulate_verb(CLI::App& app, int& exit_code) {
+void add_simulate_verb(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<SimulateOptions>();
   CLI::App* verb =
       app.add_subcommand("simulate", "drive through a building that does not exist: a recording with ground truth");
@@ -194,3 +194,5 @@ void opal::add_simulate_verb(CLI::App& app, int& exit_code) {
   add_config(*verb, *options);
   verb->callback([options, &exit_code] { exit_code = simulate(*options); });
 }
+
+}  // namespace opal::cli

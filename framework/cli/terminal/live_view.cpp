@@ -6,8 +6,10 @@
 #include <iostream>
 #include <mutex>
 
-LiveView::LiveView(int port, std::stop_token stop, opal::RecordWindow window)
-    : stop_(std::move(stop)), records_(window), server_(opal::live_page("/events"), records_, port) {
+namespace opal::cli {
+
+LiveView::LiveView(int port, std::stop_token stop, RecordWindow window)
+    : stop_(std::move(stop)), records_(window), server_(live_page("/events"), records_, port) {
   std::cout << "watch it at " << url() << " (on this machine only; Ctrl-C ends the run)" << std::endl;
 }
 
@@ -19,3 +21,5 @@ void LiveView::end() {
   std::unique_lock lock(mutex);
   std::condition_variable_any().wait(lock, stop_, [] { return false; });
 }
+
+}  // namespace opal::cli

@@ -6,15 +6,17 @@
 #include <stop_token>
 #include <string>
 
+namespace opal::cli {
+
 /// A run that people watch in a browser while it goes on, until Ctrl-C.
 class LiveView {
  public:
   /// Serves at once. @param stop  Ctrl-C; whoever waits for it was made first, so that threads leave signals to it.
   /// @throws opal::Error if the port cannot be had.
   /// @param window  of the run that is kept for those who watch.
-  LiveView(int port, std::stop_token stop, opal::RecordWindow window = {});
+  LiveView(int port, std::stop_token stop, RecordWindow window = {});
 
-  opal::EventSink& events() { return feed_; }
+  EventSink& events() { return feed_; }
   std::string url() const { return server_.url(); }
 
   /// No more events come: the page is told, and stays until Ctrl-C.
@@ -22,15 +24,15 @@ class LiveView {
 
  private:
   std::stop_token stop_;
-  opal::RecordLog records_;
-  opal::LiveFeed feed_{records_};
-  opal::LiveServer server_;
+  RecordLog records_;
+  LiveFeed feed_{records_};
+  LiveServer server_;
 };
 
 /// Every event to two listeners.
-class EventSplitter final : public opal::EventSink {
+class EventSplitter final : public EventSink {
  public:
-  EventSplitter(opal::EventSink& one, opal::EventSink& other) : one_(one), other_(other) {}
+  EventSplitter(EventSink& one, EventSink& other) : one_(one), other_(other) {}
   bool listening() const override { return one_.listening() || other_.listening(); }
   void write(const nlohmann::ordered_json& event) override {
     one_.write(event);
@@ -38,5 +40,7 @@ class EventSplitter final : public opal::EventSink {
   }
 
  private:
-  opal::EventSink &one_, &other_;
+  EventSink &one_, &other_;
 };
+
+}  // namespace opal::cli

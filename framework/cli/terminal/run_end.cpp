@@ -6,14 +6,18 @@
 #include <cstdio>
 #include <iostream>
 
-int end_run(opal::OutputFolder& folder, int signal, int exit_code) {
+namespace opal::cli {
+
+int end_run(OutputFolder& folder, int signal, int exit_code) {
   if (signal == 0) {
     folder.finish();
     return exit_code;
   }
   folder.interrupt(signal);
   std::fflush(stdout);
-  std::cerr << "opal: interrupted (" << opal::signal_name(signal) << "): " << folder.path().string()
-            << " holds what was finished, and is marked as unfinished (" << opal::kUnfinishedMarker << ")\n";
+  std::cerr << "opal: interrupted (" << signal_name(signal) << "): " << folder.path().string()
+            << " holds what was finished, and is marked as unfinished (" << kUnfinishedMarker << ")\n";
   return interrupted_by(signal);
 }
+
+}  // namespace opal::cli

@@ -3,6 +3,8 @@
 #include <condition_variable>
 #include <mutex>
 
+namespace opal::cli {
+
 StopSignals::StopSignals() {
   sigemptyset(&signals_);
   sigaddset(&signals_, SIGINT);
@@ -32,3 +34,5 @@ void StopSignals::wait(const std::stop_token& over) {
   std::unique_lock lock(mutex);
   std::condition_variable_any().wait(lock, over, [] { return false; });
 }
+
+}  // namespace opal::cli

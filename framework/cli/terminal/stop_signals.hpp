@@ -6,6 +6,8 @@
 #include <stop_token>
 #include <thread>
 
+namespace opal::cli {
+
 /// Turns the first Ctrl-C (or SIGTERM) into a request to stop; the second one kills the program, as usual. To be made
 /// before other threads are, which then leave these signals to it.
 class StopSignals {
@@ -26,3 +28,5 @@ class StopSignals {
   sigset_t signals_{}, before_{};
   std::jthread thread_;
 };
+
+}  // namespace opal::cli

@@ -8,6 +8,7 @@
 #include <numbers>
 #include <sstream>
 
+namespace opal::cli {
 namespace {
 
 constexpr double kMostHeading_rad = 2 * std::numbers::pi;  // more is a heading in degrees
@@ -30,20 +31,19 @@ std::vector<double> numbers_of(const std::string& text) {
 
 }  // namespace
 
-opal::Pose2 read_pose(const std::string& text) {
+Pose2 read_pose(const std::string& text) {
   const std::vector<double> n = numbers_of(text);
-  if (n.size() != 3) throw opal::ConfigError("--pose: '" + text + "', expected X,Y,THETA in metres and radians");
+  if (n.size() != 3) throw ConfigError("--pose: '" + text + "', expected X,Y,THETA in metres and radians");
   if (std::abs(n[2]) > kMostHeading_rad)
-    throw opal::ConfigError(
-        fmt::format("--pose: heading {:g}, expected radians from -2 pi to 2 pi; {:g} degrees are {:.3f}", n[2], n[2],
-                    opal::radians(n[2])));
+    throw ConfigError(fmt::format("--pose: heading {:g}, expected radians from -2 pi to 2 pi; {:g} degrees are {:.3f}",
+                                  n[2], n[2], radians(n[2])));
   return {n[0], n[1], n[2]};
 }
 
 Disturbance read_disturbance(const std::string& text) {
   const std::vector<double> n = numbers_of(text);
   if (n.size() != 2 || n[0] < 0 || n[1] < 0)
-    throw opal::ConfigError("--disturb: '" + text + "', expected METRES,RADIANS, neither negative");
+    throw ConfigError("--disturb: '" + text + "', expected METRES,RADIANS, neither negative");
   return {n[0], n[1]};
 }
 
@@ -57,7 +57,9 @@ StartAt StartPoses::next() {
   return [=, this](double stamp_s) -> std::optional<StartPose> {
     const auto T_map_laser = truth_.T_map_laser_at(stamp_s);
     if (!T_map_laser) return std::nullopt;
-    const opal::Pose2 T_map_base = *T_map_laser * T_base_laser_.inverse();
+    const Pose2 T_map_base = *T_map_laser * T_base_laser_.inverse();
     return StartPose{{T_map_base.x() + dx, T_map_base.y() + dy, T_map_base.heading_rad() + turn}, sigma};
   };
 }
+
+}  // namespace opal::cli

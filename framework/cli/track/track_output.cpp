@@ -13,6 +13,7 @@
 #include <iostream>
 #include <numeric>
 
+namespace opal::cli {
 namespace {
 
 namespace fs = std::filesystem;
@@ -26,32 +27,30 @@ void print(const std::string& what, const TrackErrors& errors) {
              errors.p95_m, errors.max_m);
 }
 
-std::vector<opal::ResultRow> laser_rows(const std::string& id, const std::vector<opal::StampedPose>& T_map_base,
-                                        const opal::Pose2& T_base_laser) {
-  std::vector<opal::ResultRow> rows;
-  for (const opal::StampedPose& pose : T_map_base)
-    rows.push_back({id, pose.stamp_s, pose.pose * T_base_laser, opal::Status::localized});
+std::vector<ResultRow> laser_rows(const std::string& id, const std::vector<StampedPose>& T_map_base,
+                                  const Pose2& T_base_laser) {
+  std::vector<ResultRow> rows;
+  for (const StampedPose& pose : T_map_base)
+    rows.push_back({id, pose.stamp_s, pose.pose * T_base_laser, Status::localized});
   return rows;
 }
 
 /// Walls that are not where the map has them, beside the same walls where they are.
-opal::DrawingScene deviation_scene(std::shared_ptr<const opal::SemanticMap> map, const opal::MapBelief& belief,
-                                   const std::vector<opal::Deviation>& deviations) {
-  opal::DrawingScene scene;
+DrawingScene deviation_scene(std::shared_ptr<const SemanticMap> map, const MapBelief& belief,
+                             const std::vector<Deviation>& deviations) {
+  DrawingScene scene;
   scene.title = map->name() + ": where the building differs from its map";
   std::size_t moved = 0, absent = 0;
-  for (const opal::Deviation& d : deviations) {
-    moved += d.verdict == opal::DeviationVerdict::moved;
-    absent += d.verdict == opal::DeviationVerdict::probably_absent;
-    if (d.verdict == opal::DeviationVerdict::as_mapped) continue;
-    for (opal::MapFeatureNumber number : map->object(map->feature(d.feature).object).features) {
-      const opal::Geometry& mapped = map->feature(number).geometry;
-      if (const auto* face = std::get_if<opal::Segment>(&mapped);
-          face && d.verdict == opal::DeviationVerdict::probably_absent)
+  for (const Deviation& d : deviations) {
+    moved += d.verdict == DeviationVerdict::moved;
+    absent += d.verdict == DeviationVerdict::probably_absent;
+    if (d.verdict == DeviationVerdict::as_mapped) continue;
+    for (MapFeatureNumber number : map->object(map->feature(d.feature).object).features) {
+      const Geometry& mapped = map->feature(number).geometry;
+      if (const auto* face = std::get_if<Segment>(&mapped); face && d.verdict == DeviationVerdict::probably_absent)
         scene.contradictions.push_back({face->begin, face->end});
-      else if (d.verdict == opal::DeviationVerdict::moved && belief[number].observations > 0)
-        scene.local_features.push_back(
-            {opal::corrected(mapped, belief[number]), opal::DrawingScene::Perception::matched});
+      else if (d.verdict == DeviationVerdict::moved && belief[number].observations > 0)
+        scene.local_features.push_back({corrected(mapped, belief[number]), DrawingScene::Perception::matched});
     }
   }
   scene.map = std::move(map);
@@ -62,8 +61,8 @@ opal::DrawingScene deviation_scene(std::shared_ptr<const opal::SemanticMap> map,
 
 }  // namespace
 
-TrackOutput::TrackOutput(fs::path folder, const opal::LaserModel& laser, std::shared_ptr<const opal::SemanticMap> map,
-                         std::optional<opal::GroundTruth> truth)
+TrackOutput::TrackOutput(fs::path folder, const LaserModel& laser, std::shared_ptr<const SemanticMap> map,
+                         std::optional<GroundTruth> truth)
     : folder_(std::move(folder)), laser_(laser), map_(std::move(map)), truth_(std::move(truth)) {}
 
 void TrackOutput::add(const TrackedWindow& window) {
@@ -87,51 +86,52 @@ void TrackOutput::add(const TrackedWindow& window) {
 }
 
 void TrackOutput::write() const {
-  opal::write_with(file("trajectory.tum"), [&](std::ostream& out) { opal::write_tum(out, trajectory_); });
-  opal::write_with(file("results.csv"), [&](std::ostream& out) { opal::write_results(out, rows_); });
+  write_with(file("trajectory.tum"), [&](std::ostream& out) { write_tum(out, trajectory_); });
+  write_with(file("results.csv"), [&](std::ostream& out) { write_results(out, rows_); });
   std::vector<double> cpu = update_cpu_ms_;
   std::sort(cpu.begin(), cpu.end());
   const double mean =
       std::accumulate(cpu.begin(), cpu.end(), 0.0) / std::max<double>(1, static_cast<double>(cpu.size()));
-  const double p99_ms = opal::quantile_of(cpu, 0.99).value_or(0);
+  const double p99_ms = quantile_of(cpu, 0.99).value_or(0);
   const nlohmann::ordered_json summary = {{"updates", cpu.size()},
                                           {"cpu_ms_mean", mean},
                                           {"cpu_ms_p99", p99_ms},
                                           {"cpu_ms_max", cpu.empty() ? 0 : cpu.back()},
                                           {"windows", windows_}};
-  opal::write_text(file("summary.json"), summary.dump(2) + '\n');
+  write_text(file("summary.json"), summary.dump(2) + '\n');
   fmt::print("CPU per update: mean {:.2f} ms, 99 % {:.2f} ms over {} updates\n", mean, p99_ms, cpu.size());
-  opal::DrawingScene scene;
+  DrawingScene scene;
   scene.title = worst_.id + (truth_ ? ", the window tracked worst" : "");
   scene.map = map_;
   scene.scan_points = worst_.last_points;
-  for (const opal::StampedPose& pose : worst_.trajectory) scene.trajectory.push_back(pose.pose.position());
-  if (truth_) opal::benchmark::add_truth(scene, truth_->poses(), laser_);
-  opal::write_svg(scene, (folder_ / "picture.svg").string());
-  opal::write_png(scene, (folder_ / "picture.png").string());
+  for (const StampedPose& pose : worst_.trajectory) scene.trajectory.push_back(pose.pose.position());
+  if (truth_) benchmark::add_truth(scene, truth_->poses(), laser_);
+  write_svg(scene, (folder_ / "picture.svg").string());
+  write_png(scene, (folder_ / "picture.png").string());
 }
 
-void TrackOutput::write_deviations(const opal::MapBelief& belief) const {
-  const std::vector<opal::Deviation> deviations = opal::deviations_of(*map_, belief);
-  opal::write_text(file("deviations.json"), opal::to_json(*map_, deviations).dump(1) + '\n');
-  opal::write_text(file("deviations.txt"), opal::to_table(deviations));
-  opal::write_svg(deviation_scene(map_, belief, deviations), (folder_ / "deviations.svg").string());
-  const auto count = [&](opal::DeviationVerdict verdict) {
+void TrackOutput::write_deviations(const MapBelief& belief) const {
+  const std::vector<Deviation> deviations = deviations_of(*map_, belief);
+  write_text(file("deviations.json"), to_json(*map_, deviations).dump(1) + '\n');
+  write_text(file("deviations.txt"), to_table(deviations));
+  write_svg(deviation_scene(map_, belief, deviations), (folder_ / "deviations.svg").string());
+  const auto count = [&](DeviationVerdict verdict) {
     return std::count_if(deviations.begin(), deviations.end(), [&](const auto& d) { return d.verdict == verdict; });
   };
-  std::cout << "of " << deviations.size() << " mapped objects that were recognized, "
-            << count(opal::DeviationVerdict::moved) << " stand elsewhere, "
-            << count(opal::DeviationVerdict::probably_absent)
+  std::cout << "of " << deviations.size() << " mapped objects that were recognized, " << count(DeviationVerdict::moved)
+            << " stand elsewhere, " << count(DeviationVerdict::probably_absent)
             << " are probably absent: " << (folder_ / "deviations.txt").string() << '\n';
 }
 
-void TrackOutput::write_smoothed(const TrackedWindow& window, const opal::SmoothedTrack& smoothed) const {
-  const auto trajectory = opal::corrected_trajectory(window.trajectory, window.track, smoothed);
+void TrackOutput::write_smoothed(const TrackedWindow& window, const SmoothedTrack& smoothed) const {
+  const auto trajectory = corrected_trajectory(window.trajectory, window.track, smoothed);
   std::string csv = "timestamp,x,y,theta,is_scan\n";
   const auto rows = laser_rows(window.id, trajectory, laser_.T_base_laser);
-  for (const opal::ResultRow& row : rows)
+  for (const ResultRow& row : rows)
     csv += fmt::format("{:.6f},{:.5f},{:.5f},{:.6f},1\n", row.stamp_s, row.T_map_laser.x(), row.T_map_laser.y(),
                        row.T_map_laser.heading_rad());
-  opal::write_text(file("truth.csv"), csv);
+  write_text(file("truth.csv"), csv);
   if (truth_) print("smoothed", errors_of(rows, *truth_));
 }
+
+}  // namespace opal::cli

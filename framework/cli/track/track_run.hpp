@@ -12,9 +12,11 @@
 #include <string>
 #include <vector>
 
+namespace opal::cli {
+
 /// Where a track begins.
 struct StartPose {
-  opal::Pose2 T_map_base;
+  Pose2 T_map_base;
   Eigen::Vector3d sigma = Eigen::Vector3d::Zero();  ///< one-sigma (x, y, heading) [m, m, rad]
 };
 /// The pose of the first scan, asked by its stamp; nullopt: not known for this one, ask for the next.
@@ -23,23 +25,25 @@ using StartAt = std::function<std::optional<StartPose>(double stamp_s)>;
 /// One window of a log, tracked from a given pose.
 struct TrackedWindow {
   std::string id;
-  std::vector<opal::ResultRow> rows;           ///< one per scan
-  std::vector<opal::ResultRow> dead_reckoned;  ///< the same scans from the same pose by odometry alone
-  std::vector<opal::StampedPose> trajectory;   ///< T_map_base, the same scans
-  std::vector<double> update_cpu_ms;           ///< per keyframe, cleaning of the scan included
-  std::vector<opal::TrackedKeyframe> track;
-  std::vector<opal::Point> last_points;  ///< of the last scan, map frame [m]
-  opal::TrackedPose last;
+  std::vector<ResultRow> rows;           ///< one per scan
+  std::vector<ResultRow> dead_reckoned;  ///< the same scans from the same pose by odometry alone
+  std::vector<StampedPose> trajectory;   ///< T_map_base, the same scans
+  std::vector<double> update_cpu_ms;     ///< per keyframe, cleaning of the scan included
+  std::vector<TrackedKeyframe> track;
+  std::vector<Point> last_points;  ///< of the last scan, map frame [m]
+  TrackedPose last;
   bool is_cut = false;  ///< a stop was asked for before its end
 };
 
 /// Plays a window through a tracker that starts anew. @param stop  ends it before its end.
-TrackedWindow track_window(opal::PoseTracker& tracker, const opal::LaserModel& laser, opal::Replay& replay,
-                           const std::string& id, const StartAt& start_at, const std::stop_token& stop = {});
+TrackedWindow track_window(PoseTracker& tracker, const LaserModel& laser, Replay& replay, const std::string& id,
+                           const StartAt& start_at, const std::stop_token& stop = {});
 
 /// Position errors against recorded truth [m], over the scans for which there is some.
 struct TrackErrors {
   std::size_t scans = 0;
   double max_m = 0, p95_m = 0, median_m = 0;
 };
-TrackErrors errors_of(const std::vector<opal::ResultRow>& rows, const opal::GroundTruth& truth);
+TrackErrors errors_of(const std::vector<ResultRow>& rows, const GroundTruth& truth);
+
+}  // namespace opal::cli

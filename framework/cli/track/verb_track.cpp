@@ -17,6 +17,7 @@
 
 #include <fmt/format.h>
 
+namespace opal::cli {
 namespace {
 
 struct TrackOptions : LogRunOptions {
@@ -26,8 +27,8 @@ struct TrackOptions : LogRunOptions {
   DamageOptions damage;
 };
 
-opal::Deployment deployment_for(const TrackOptions& options) {
-  opal::Deployment deployment = options.deployment();
+Deployment deployment_for(const TrackOptions& options) {
+  Deployment deployment = options.deployment();
   // Every scan that moved is a pose of its own when the whole log is smoothed.
   if (options.offline) deployment.keyframes = {0.02, 0.02};
   return deployment;
@@ -35,9 +36,9 @@ opal::Deployment deployment_for(const TrackOptions& options) {
 
 void expect_start(const TrackOptions& options) {
   if (options.pose.empty() && options.truth.empty())
-    throw opal::ConfigError("opal track: no start pose, expected --pose X,Y,THETA or --truth SITE.gt.csv");
+    throw ConfigError("opal track: no start pose, expected --pose X,Y,THETA or --truth SITE.gt.csv");
   if (!options.pose.empty() && !options.queries.empty())
-    throw opal::ConfigError("opal track: --pose with --queries, expected --truth: every window starts elsewhere");
+    throw ConfigError("opal track: --pose with --queries, expected --truth: every window starts elsewhere");
   if (!options.pose.empty()) read_pose(options.pose);
   if (!options.disturb.empty()) read_disturbance(options.disturb);
 }
@@ -45,33 +46,33 @@ void expect_start(const TrackOptions& options) {
 /// What a person points out on a map.
 constexpr double kGivenSigma_m = 0.3, kGivenSigma_rad = 0.1;
 
-StartAt given_start(const opal::Pose2& T_map_base) {
+StartAt given_start(const Pose2& T_map_base) {
   return [=](double) { return StartPose{T_map_base, {kGivenSigma_m, kGivenSigma_m, kGivenSigma_rad}}; };
 }
 
 /// What was asked for, ready to run.
 struct TrackSetup {
-  opal::PluginRegistry plugins;
-  opal::Deployment deployment;
-  std::shared_ptr<const opal::SemanticMap> map;
-  opal::benchmark::RecordedLog log;
+  PluginRegistry plugins;
+  Deployment deployment;
+  std::shared_ptr<const SemanticMap> map;
+  benchmark::RecordedLog log;
   std::string mount_doubt;  ///< in words; empty: the laser's place on the robot is stated
-  std::optional<opal::GroundTruth> truth;
-  opal::LocalizerParts parts;
+  std::optional<GroundTruth> truth;
+  LocalizerParts parts;
 };
 
 TrackSetup set_up(const TrackOptions& options) {
-  opal::Deployment deployment = deployment_for(options);
-  TrackSetup setup{opal::session::load_plugins(deployment), std::move(deployment), {}, {}, {}, {}, {}};
-  setup.map = opal::session::load_map(setup.plugins, setup.deployment);
-  if (options.damage.any()) setup.map = opal::damaged_map(*setup.map, options.damage.damage());
-  setup.log = opal::benchmark::read_recorded_log(setup.plugins, options.log, setup.deployment, options.log_words);
+  Deployment deployment = deployment_for(options);
+  TrackSetup setup{session::load_plugins(deployment), std::move(deployment), {}, {}, {}, {}, {}};
+  setup.map = session::load_map(setup.plugins, setup.deployment);
+  if (options.damage.any()) setup.map = damaged_map(*setup.map, options.damage.damage());
+  setup.log = benchmark::read_recorded_log(setup.plugins, options.log, setup.deployment, options.log_words);
   setup.deployment.lasers = options.lasers_of(setup.log.records, setup.deployment.lasers);
   setup.mount_doubt = options.mount_doubt(setup.log.records, setup.deployment);
-  if (!options.queries.empty()) opal::benchmark::expect_scans(options.windows(), setup.log, options.queries);
-  if (!options.truth.empty()) setup.truth = opal::GroundTruth::read(options.truth);
-  if (setup.truth) opal::benchmark::expect_overlap(*setup.truth, setup.log, options.truth);
-  setup.parts = opal::build_parts(setup.deployment, setup.plugins, setup.map);
+  if (!options.queries.empty()) benchmark::expect_scans(options.windows(), setup.log, options.queries);
+  if (!options.truth.empty()) setup.truth = GroundTruth::read(options.truth);
+  if (setup.truth) benchmark::expect_overlap(*setup.truth, setup.log, options.truth);
+  setup.parts = build_parts(setup.deployment, setup.plugins, setup.map);
   return setup;
 }
 
@@ -82,21 +83,21 @@ std::vector<std::string> products(const TrackOptions& options) {
 }
 
 /// Tracks one window after the other. @return the last one, which may be cut.
-TrackedWindow track_windows(const TrackOptions& options, const TrackSetup& setup, opal::PoseTracker& tracker,
+TrackedWindow track_windows(const TrackOptions& options, const TrackSetup& setup, PoseTracker& tracker,
                             TrackOutput& output, const std::stop_token& stop) {
   const auto pose = options.pose.empty() ? std::nullopt : std::make_optional(read_pose(options.pose));
   const Disturbance disturbance = options.disturb.empty() ? Disturbance{} : read_disturbance(options.disturb);
-  const opal::LaserModel& laser = setup.deployment.lasers.front();
+  const LaserModel& laser = setup.deployment.lasers.front();
   std::optional<StartPoses> starts;
   if (setup.truth) starts.emplace(*setup.truth, laser.T_base_laser, disturbance, options.disturb_seed);
   TrackedWindow window;
-  const std::vector<opal::Query> windows = options.windows();
-  for (const opal::Query& query : windows) {
+  const std::vector<Query> windows = options.windows();
+  for (const Query& query : windows) {
     if (!options.keep_offsets) tracker.forget_offsets();
-    opal::ReplayOptions cut;
+    ReplayOptions cut;
     cut.from_s = query.start_s;
     cut.to_s = query.end_s;
-    opal::Replay replay(setup.log.records, setup.deployment.lasers, cut);
+    Replay replay(setup.log.records, setup.deployment.lasers, cut);
     window = track_window(tracker, laser, replay, query.id, pose ? given_start(*pose) : starts->next(), stop);
     if (!window.is_cut || windows.size() == 1) output.add(window);
     if (window.is_cut) break;
@@ -105,15 +106,15 @@ TrackedWindow track_windows(const TrackOptions& options, const TrackSetup& setup
 }
 
 /// The whole log, into truth.csv. @return what is believed of the map then; a stop leaves it as it was.
-opal::MapBelief smooth(const opal::PoseTracker& tracker, const TrackedWindow& window, TrackOutput& output,
-                       const std::stop_token& stop) {
-  opal::benchmark::ProgressBar bar;
+MapBelief smooth(const PoseTracker& tracker, const TrackedWindow& window, TrackOutput& output,
+                 const std::stop_token& stop) {
+  benchmark::ProgressBar bar;
   const auto goes_on = [&](double share) {
-    bar.show(share, "smoothing " + opal::count_of(window.track.size(), "pose"));
+    bar.show(share, "smoothing " + count_of(window.track.size(), "pose"));
     return !stop.stop_requested();
   };
   const Eigen::Vector3d sigma(kGivenSigma_m, kGivenSigma_m, kGivenSigma_rad);
-  const auto smoothed = opal::smooth_track(tracker.map(), window.track, sigma, tracker.belief(), {}, goes_on);
+  const auto smoothed = smooth_track(tracker.map(), window.track, sigma, tracker.belief(), {}, goes_on);
   if (!smoothed) return tracker.belief();
   output.write_smoothed(window, *smoothed);
   return smoothed->belief;
@@ -121,24 +122,23 @@ opal::MapBelief smooth(const opal::PoseTracker& tracker, const TrackedWindow& wi
 
 void tell_doubts(const TrackSetup& setup) {
   if (!setup.mount_doubt.empty()) fmt::print("sensor: {}\n", setup.mount_doubt);
-  for (const std::string& doubt : opal::benchmark::doubts_of(setup.log, setup.deployment.lasers.front()))
+  for (const std::string& doubt : benchmark::doubts_of(setup.log, setup.deployment.lasers.front()))
     fmt::print("log: {}\n", doubt);
 }
 
 int track(const TrackOptions& options) {
   expect_start(options);
   const TrackSetup setup = set_up(options);
-  opal::PoseTracker tracker(setup.parts);
+  PoseTracker tracker(setup.parts);
   const StopSignals signals;
-  opal::OutputFolder folder(options.out, "opal track", products(options));
+  OutputFolder folder(options.out, "opal track", products(options));
   TrackOutput output(folder.path(), setup.deployment.lasers.front(), setup.map, setup.truth);
   const TrackedWindow window = track_windows(options, setup, tracker, output, signals.token());
   const bool is_smoothed = options.offline && !window.is_cut;
   output.write();
   output.write_deviations(is_smoothed ? smooth(tracker, window, output, signals.token()) : tracker.belief());
   if (window.rows.empty() && !window.is_cut)
-    throw opal::LogError(options.log + ": no scan with odometry to track" +
-                         (setup.truth ? " that the truth covers" : ""));
+    throw LogError(options.log + ": no scan with odometry to track" + (setup.truth ? " that the truth covers" : ""));
   tell_doubts(setup);
   if (window.last.lost) fmt::print("lost: at the end the scans do not fit the map where the track is\n");
   return end_run(folder, signals.signal(), window.last.lost ? kNo : kDone);
@@ -146,7 +146,7 @@ int track(const TrackOptions& options) {
 
 }  // namespace
 
-void opal::add_track_verb(CLI::App& app, int& exit_code) {
+void add_track_verb(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<TrackOptions>();
   CLI::App* verb = app.add_subcommand(
       "track", "follow the robot along a recorded log from a known pose; where the building differs from its map");
@@ -166,3 +166,5 @@ void opal::add_track_verb(CLI::App& app, int& exit_code) {
   options->damage.add_to(*verb);
   verb->callback([options, &exit_code] { exit_code = track(*options); });
 }
+
+}  // namespace opal::cli

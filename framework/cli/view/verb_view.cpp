@@ -13,6 +13,7 @@
 #include <iostream>
 #include <optional>
 
+namespace opal::cli {
 namespace {
 
 namespace fs = std::filesystem;
@@ -36,31 +37,31 @@ fs::path page_file(const ViewOptions& options) {
 }
 
 int write_page(const ViewOptions& options) {
-  std::vector<opal::benchmark::ViewedRun> runs;
+  std::vector<benchmark::ViewedRun> runs;
   for (std::size_t k = 0; k < options.outs.size(); ++k) runs.push_back({options.outs[k], name_of_run(options, k)});
   const std::string file = page_file(options).string();
-  for (const std::string& note : opal::benchmark::write_view_page(runs, file)) std::cerr << "opal: " << note << '\n';
+  for (const std::string& note : benchmark::write_view_page(runs, file)) std::cerr << "opal: " << note << '\n';
   std::cout << "written: " << file << '\n';
   return kDone;
 }
 
 int draw_moment(const ViewOptions& options) {
   const std::string& out = options.outs.front();
-  const opal::Moment moment = opal::parse_moment(options.at, options.query);
-  std::optional<opal::Explainer> explainer;
-  opal::RunState state;
-  const auto reading = opal::read_until(out, moment, [&](const opal::RunHeader& header, const opal::RunFrame& frame) {
+  const Moment moment = parse_moment(options.at, options.query);
+  std::optional<Explainer> explainer;
+  RunState state;
+  const auto reading = read_until(out, moment, [&](const RunHeader& header, const RunFrame& frame) {
     if (!explainer) explainer.emplace(header);
     explainer->take(frame);
     state.apply(frame);
   });
   std::vector<std::string> notes;
-  for (const opal::Sentence& sentence : explainer->explanation())
-    notes.push_back(std::string(opal::name_of(sentence.kind)) + ": " + sentence.text);
+  for (const Sentence& sentence : explainer->explanation())
+    notes.push_back(std::string(name_of(sentence.kind)) + ": " + sentence.text);
   for (const std::string& note : reading.notes) notes.push_back("note: " + note);
-  const opal::DrawingScene scene = opal::scene_of(*reading.header, state, notes);
-  if (!options.svg.empty()) opal::write_svg(scene, options.svg);
-  if (!options.png.empty()) opal::write_png(scene, options.png);
+  const DrawingScene scene = scene_of(*reading.header, state, notes);
+  if (!options.svg.empty()) write_svg(scene, options.svg);
+  if (!options.png.empty()) write_png(scene, options.png);
   for (const std::string& file : {options.svg, options.png})
     if (!file.empty()) std::cout << "written: " << file << '\n';
   return kDone;
@@ -79,7 +80,7 @@ int view(const ViewOptions& options) {
 
 }  // namespace
 
-void opal::add_view_verb(CLI::App& app, int& exit_code) {
+void add_view_verb(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<ViewOptions>();
   CLI::App* verb = app.add_subcommand("view", "look at a run, or at two of one log: one HTML file for the browser");
   verb->add_option("OUT", options->outs, "folder that 'opal localize -o' wrote; two to compare them")
@@ -96,3 +97,5 @@ void opal::add_view_verb(CLI::App& app, int& exit_code) {
                    "end: the last)");
   verb->callback([options, &exit_code] { exit_code = view(*options); });
 }
+
+}  // namespace opal::cli
