@@ -2,6 +2,8 @@
 
 #include "map_tools/building_ground.hpp"
 
+#include <opal/common/letter_case.hpp>
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -32,9 +34,8 @@ NearObject nearest_object(const SemanticMap& map, const Point& p, const char* ty
 
 std::string name_of(const MapObject& object) {
   const std::string type = object.type.rfind("opal:", 0) == 0 ? object.type.substr(5) : object.type;
-  std::string kind = type;
-  for (char& c : kind) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return "the " + kind + " '" + object.id + "'" + (object.notes.name.empty() ? "" : " (" + object.notes.name + ")");
+  return "the " + lower_case_letters(type) + " '" + object.id + "'" +
+         (object.notes.name.empty() ? "" : " (" + object.notes.name + ")");
 }
 
 double width_m(const SemanticMap& map, const MapObject& door) {

@@ -21,11 +21,23 @@ Character character_at(const std::string& text, std::size_t at) {
                     : Character{-1, text.substr(at, 1)};
 }
 
-std::string in_upper_case(const Character& character) {
+using Case = utf8proc_int32_t (*)(utf8proc_int32_t);
+
+std::string in_case(Case other, const Character& character) {
   if (character.code < 0) return character.bytes;
   std::array<utf8proc_uint8_t, 4> bytes{};
-  const utf8proc_ssize_t length = utf8proc_encode_char(utf8proc_toupper(character.code), bytes.data());
+  const utf8proc_ssize_t length = utf8proc_encode_char(other(character.code), bytes.data());
   return {bytes.begin(), bytes.begin() + length};
+}
+
+std::string in_case(Case other, const std::string& text) {
+  std::string changed;
+  for (std::size_t at = 0; at < text.size();) {
+    const Character character = character_at(text, at);
+    changed += in_case(other, character);
+    at += character.bytes.size();
+  }
+  return changed;
 }
 
 /// Of an alphabet or of signs, or an accent on the one before. What is no UTF-8 counts as one.
@@ -41,15 +53,9 @@ bool is_of(const Character& character, utf8proc_category_t category) {
 
 }  // namespace
 
-std::string upper_case_letters(const std::string& text) {
-  std::string upper;
-  for (std::size_t at = 0; at < text.size();) {
-    const Character character = character_at(text, at);
-    upper += in_upper_case(character);
-    at += character.bytes.size();
-  }
-  return upper;
-}
+std::string upper_case_letters(const std::string& text) { return in_case(utf8proc_toupper, text); }
+
+std::string lower_case_letters(const std::string& text) { return in_case(utf8proc_tolower, text); }
 
 std::vector<std::string> words_of_name(const std::string& name) {
   std::vector<std::string> words(1);
@@ -58,7 +64,7 @@ std::vector<std::string> words_of_name(const std::string& name) {
     const Character character = character_at(name, at);
     const bool begins = was_small && is_of(character, UTF8PROC_CATEGORY_LU);
     if ((begins || !is_letter(character)) && !words.back().empty()) words.emplace_back();
-    if (is_letter(character)) words.back() += in_upper_case(character);
+    if (is_letter(character)) words.back() += in_case(utf8proc_toupper, character);
     was_small = is_of(character, UTF8PROC_CATEGORY_LL);
     at += character.bytes.size();
   }

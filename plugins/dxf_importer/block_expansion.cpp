@@ -1,6 +1,7 @@
 #include "block_expansion.hpp"
 
 #include <opal/common/error.hpp>
+#include <opal/common/letter_case.hpp>
 
 #include <fmt/format.h>
 
@@ -38,7 +39,7 @@ class Expansion {
   }
 
   void place_block(const DxfInsert& insert, PlacedEntity frame) {
-    const std::string name = upper_case(insert.block);
+    const std::string name = upper_case_letters(insert.block);
     const auto block = drawing_.blocks.find(name);
     if (block == drawing_.blocks.end())
       frame.trouble = "its block '" + insert.block + "' is not in the file";

@@ -95,9 +95,6 @@ struct DxfDrawing {
   int lines_after_end = 0;
 };
 
-/// Names of blocks do not distinguish upper and lower case.
-std::string upper_case(std::string name);
-
 /// @throws MapError "PATH:LINE: what was found, what was expected".
 DxfDrawing read_dxf(const std::string& path);
 

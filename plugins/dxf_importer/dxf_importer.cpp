@@ -4,6 +4,7 @@
 #include "layer_classes.hpp"
 
 #include <opal/common/error.hpp>
+#include <opal/common/letter_case.hpp>
 #include <opal/import_kit/class_tally.hpp>
 
 #include <fmt/format.h>
@@ -227,7 +228,7 @@ DxfImporter::DxfImporter(const nlohmann::json& options)
 
 bool DxfImporter::recognizes(const std::string& path) const {
   std::error_code error;
-  const std::string extension = upper_case(std::filesystem::path(path).extension().string());
+  const std::string extension = upper_case_letters(std::filesystem::path(path).extension().string());
   return (extension == ".DXF" || extension == ".DWG") && std::filesystem::is_regular_file(path, error);
 }
 

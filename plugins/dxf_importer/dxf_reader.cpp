@@ -4,6 +4,7 @@
 #include "entity_shape.hpp"
 
 #include <opal/common/error.hpp>
+#include <opal/common/letter_case.hpp>
 
 #include <fmt/format.h>
 
@@ -74,7 +75,7 @@ class Reader {
     std::map<std::string, Record> first;
     for (Record begin = scan_.blocks.begin(); begin != scan_.blocks.end();) {
       const Record end = end_of_block(begin);
-      const std::string name = upper_case(begin->text(2));
+      const std::string name = upper_case_letters(begin->text(2));
       if (name.empty()) fail(begin->line, "a block without a name (code 2), expected one");
       if (const auto [known, is_new] = first.emplace(name, begin); is_new)
         read_block(name, begin, end);
@@ -191,11 +192,6 @@ class Reader {
 };
 
 }  // namespace
-
-std::string upper_case(std::string name) {
-  for (char& c : name) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
-  return name;
-}
 
 DxfDrawing read_dxf(const std::string& path) { return Reader(path).run(); }
 

@@ -2,6 +2,8 @@
 
 #include "layer_words.hpp"
 
+#include <opal/common/letter_case.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -40,11 +42,6 @@ bool is_letter(char c) {
   return std::isalpha(static_cast<unsigned char>(c)) != 0 || static_cast<unsigned char>(c) > 127;
 }
 
-std::string capitals(std::string text) {
-  for (char& c : text) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
-  return text;
-}
-
 bool has_word(const std::string& layer, std::string_view word) {
   for (std::size_t at = layer.find(word); at != std::string::npos; at = layer.find(word, at + 1)) {
     const std::size_t end = at + word.size();
@@ -65,7 +62,7 @@ bool is_of_other_discipline(const std::string& layer) {
 
 /// Whether a layer only looks like one of walls or columns.
 bool is_no_part(const std::string& layer) {
-  const std::string name = capitals(layer);
+  const std::string name = upper_case_letters(layer);
   return is_of_other_discipline(name) ||
          std::any_of(kNoParts.begin(), kNoParts.end(), [&](const char* word) { return fits_pattern(name, word); }) ||
          std::any_of(kNoPartWords.begin(), kNoPartWords.end(), [&](auto word) { return has_word(name, word); }) ||

@@ -1,5 +1,7 @@
 #include "feature_classes.hpp"
 
+#include <opal/common/letter_case.hpp>
+
 #include <algorithm>
 #include <initializer_list>
 #include <iterator>
@@ -67,7 +69,7 @@ bool has_any_of(const std::string& text, std::initializer_list<const char*> word
 /// may be a word for a part of a building. Colours, levels and heights say nothing.
 int weight_of(const std::string& key, const nlohmann::json& value) {
   if (!value.is_string() || is_metadata(key + "=")) return 0;
-  const std::string name = lower_case(key), text = lower_case(value.get<std::string>());
+  const std::string name = lower_case_letters(key), text = lower_case_letters(value.get<std::string>());
   if (has_any_of(text, {"wall", "column", "door", "room", "window", "corridor"})) return 4;
   if (has_any_of(name, {"type", "class", "kind", "category", "group"})) return 3;
   const bool is_style = text.starts_with("#") || text.starts_with("rgb");

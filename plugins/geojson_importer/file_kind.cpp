@@ -3,6 +3,7 @@
 #include "geojson_reader.hpp"
 
 #include <opal/common/error.hpp>
+#include <opal/common/letter_case.hpp>
 
 #include <algorithm>
 #include <filesystem>
@@ -16,7 +17,7 @@ namespace fs = std::filesystem;
 constexpr std::streamoff kEnd_bytes = 4096;
 
 /// ".geojson" of "Plan.GEOJSON".
-std::string ending_of(const std::string& path) { return lower_case(fs::path(path).extension().string()); }
+std::string ending_of(const std::string& path) { return lower_case_letters(fs::path(path).extension().string()); }
 
 std::string read_at(std::ifstream& file, std::streamoff from) {
   std::string text(static_cast<std::size_t>(kEnd_bytes), '\0');

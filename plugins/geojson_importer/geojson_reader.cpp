@@ -3,11 +3,11 @@
 #include "lenient_json.hpp"
 
 #include <opal/common/error.hpp>
+#include <opal/common/letter_case.hpp>
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <optional>
 #include <set>
@@ -24,9 +24,9 @@ std::string shown(const json& value) {
   return text.size() > kShownCharacters ? text.substr(0, kShownCharacters) + "..." : text;
 }
 
+/// Names are compared very often: most differ in length.
 bool is_same_name(const std::string& a, const std::string& b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                    [](unsigned char x, unsigned char y) { return std::tolower(x) == std::tolower(y); });
+  return a.size() == b.size() && lower_case_letters(a) == lower_case_letters(b);
 }
 
 class Reader {
@@ -238,11 +238,6 @@ class Reader {
 };
 
 }  // namespace
-
-std::string lower_case(std::string text) {
-  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return text;
-}
 
 nlohmann::json::const_iterator find_property(const Feature& feature, const std::string& name) {
   const nlohmann::json& properties = feature.properties;

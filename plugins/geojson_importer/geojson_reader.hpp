@@ -41,9 +41,6 @@ struct Feature {
   std::vector<std::string> levels = {};  ///< as find_levels() has them; none: it does not say, and is on all of them
 };
 
-/// ASCII letters only: what it stands for is names of properties and files.
-std::string lower_case(std::string text);
-
 /// The property of this name; else one whose name differs in upper and lower case only; end() if there is none.
 nlohmann::json::const_iterator find_property(const Feature& feature, const std::string& name);
 

@@ -1,6 +1,7 @@
 #include "level.hpp"
 
 #include <opal/common/error.hpp>
+#include <opal/common/letter_case.hpp>
 
 #include <fmt/format.h>
 
@@ -88,7 +89,7 @@ std::vector<std::string> properties_of(const FeatureCollection& collection) {
 }
 
 bool is_like_level(const std::string& property) {
-  const std::string name = lower_case(property);
+  const std::string name = lower_case_letters(property);
   return std::any_of(kLikeLevels.begin(), kLikeLevels.end(),
                      [&](const char* word) { return name.find(word) != std::string::npos; });
 }

@@ -1,12 +1,12 @@
 #include "grid_description.hpp"
 
 #include <opal/common/error.hpp>
+#include <opal/common/letter_case.hpp>
 
 #include <yaml-cpp/yaml.h>
 
 #include <fmt/format.h>
 
-#include <cctype>
 #include <cmath>
 #include <functional>
 #include <map>
@@ -91,9 +91,7 @@ Pose2 origin(const Entry& entry) {
 GridMode mode(const Entry& entry) {
   static const std::map<std::string, GridMode> kModes{
       {"trinary", GridMode::trinary}, {"scale", GridMode::scale}, {"raw", GridMode::raw}};
-  std::string word = entry.text();
-  for (char& c : word) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  const auto known = kModes.find(word);
+  const auto known = kModes.find(lower_case_letters(entry.text()));
   if (known == kModes.end()) entry.refuse("trinary, scale or raw");
   return known->second;
 }

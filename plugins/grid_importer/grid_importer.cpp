@@ -6,8 +6,9 @@
 #include "report.hpp"
 #include "smear.hpp"
 
+#include <opal/common/letter_case.hpp>
+
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
 #include <fstream>
 #include <optional>
@@ -35,9 +36,7 @@ bool names_an_image(const std::string& path) {
 
 /// With upper and lower case the same.
 bool ends_with_any_case(const std::string& path, std::string_view ending) {
-  if (path.size() < ending.size()) return false;
-  return std::equal(ending.begin(), ending.end(), path.end() - static_cast<std::ptrdiff_t>(ending.size()),
-                    [](char e, char p) { return e == std::tolower(static_cast<unsigned char>(p)); });
+  return lower_case_letters(path).ends_with(ending);
 }
 
 /// No face is known better than the cells that it runs through.

@@ -5,10 +5,10 @@
 #include "trial.hpp"
 
 #include <opal/common/error.hpp>
+#include <opal/common/letter_case.hpp>
 #include <opal/import_kit/shaft_extent.hpp>
 
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
 #include <map>
 #include <set>
@@ -94,8 +94,7 @@ MapOrigin origin_of(const Building& building, const LevelChoice& level, const st
 IfcImporter::IfcImporter(ImportOptions options) : options_(std::move(options)) { (void)Classes(options_.classes); }
 
 bool IfcImporter::recognizes(const std::string& path) const {
-  std::string ending = std::filesystem::path(path).extension().string();
-  for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  const std::string ending = lower_case_letters(std::filesystem::path(path).extension().string());
   return ending == ".ifc" && begins_like_step(path);
 }
 

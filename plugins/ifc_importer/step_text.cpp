@@ -5,6 +5,7 @@
 #include "step_arguments.hpp"
 
 #include <opal/common/error.hpp>
+#include <opal/common/letter_case.hpp>
 
 #include <fmt/format.h>
 
@@ -152,9 +153,7 @@ StepInstance read_instance(const Statements& statements, std::string_view statem
 std::string schema_of(std::string_view statement) {
   const std::size_t begin = statement.find('\''), end = statement.find('\'', begin + 1);
   if (begin == std::string_view::npos || end == std::string_view::npos) return "";
-  std::string schema(trimmed(statement.substr(begin + 1, end - begin - 1)));
-  for (char& c : schema) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
-  return schema;
+  return upper_case_letters(std::string(trimmed(statement.substr(begin + 1, end - begin - 1))));
 }
 
 void expect_known(const std::string& schema, const std::string& name) {

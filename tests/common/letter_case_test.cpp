@@ -12,6 +12,11 @@ TEST_CASE("letters of any alphabet get upper case, and all others stay") {
   CHECK(upper_case_letters("\xE4\xF6 \xC3") == "\xE4\xF6 \xC3");
 }
 
+TEST_CASE("lower case is the other way round") {
+  CHECK(lower_case_letters("WÄNDE, СТЕНЫ, ΤΟΊΧΟΣ, 墙 1_A") == "wände, стены, τοίχοσ, 墙 1_a");
+  CHECK(lower_case_letters("\xE4 IFC4") == "\xE4 ifc4");
+}
+
 TEST_CASE("words of a name end at digits, signs and before capitals") {
   CHECK(words_of_name("0_Murature 2") == std::vector<std::string>{"MURATURE"});
   CHECK(words_of_name("MuroNuevo-äußereWände") == std::vector<std::string>{"MURO", "NUEVO", "ÄUẞERE", "WÄNDE"});

@@ -1,8 +1,9 @@
 // JSON-LD 1.1 API, 4.3: Inverse Context Creation, and 6.4: Term Selection.
 #include "jsonld/compaction/inverse_context.hpp"
 
+#include <opal/common/letter_case.hpp>
+
 #include <algorithm>
-#include <cctype>
 #include <utility>
 
 namespace opal::json_ld {
@@ -20,14 +21,9 @@ std::string container_key(const TermDefinition& definition) {
 
 }  // namespace
 
-std::string lower_case(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
-  return text;
-}
-
 std::string language_key(const std::optional<std::string>& language, const std::optional<std::string>& direction) {
   if (!language && !direction) return "@null";
-  std::string key = language ? lower_case(*language) : "";
+  std::string key = language ? lower_case_letters(*language) : "";
   if (direction) key += "_" + *direction;
   return key;
 }

@@ -44,6 +44,5 @@ class InverseContext {
 
 /// "en", "en_ltr", "_rtl"; "@null" if both are none.
 std::string language_key(const std::optional<std::string>& language, const std::optional<std::string>& direction);
-std::string lower_case(std::string text);
 
 }  // namespace opal::json_ld

@@ -2,6 +2,8 @@
 #include "jsonld/compaction/compaction.hpp"
 #include "jsonld/context/iri.hpp"
 
+#include <opal/common/letter_case.hpp>
+
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -92,7 +94,7 @@ Wanted wanted_for(const Json* value, bool reverse) {
 }
 
 bool same_language(const std::optional<std::string>& a, const std::optional<std::string>& b) {
-  return a.has_value() == b.has_value() && (!a || lower_case(*a) == lower_case(*b));
+  return a.has_value() == b.has_value() && (!a || lower_case_letters(*a) == lower_case_letters(*b));
 }
 
 }  // namespace

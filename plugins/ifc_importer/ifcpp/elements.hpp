@@ -5,6 +5,8 @@
 #include "bodies.hpp"
 #include "classes.hpp"
 
+#include <opal/common/letter_case.hpp>
+
 #include <ifcpp/IFC4/include/IfcFeatureElementAddition.h>
 #include <ifcpp/IFC4/include/IfcFeatureElementSubtraction.h>
 #include <ifcpp/IFC4/include/IfcMaterial.h>
@@ -38,12 +40,6 @@ inline bool is_no_body(const std::string& identifier) {
                                       "Clearance",     "Lighting", "Plan",        "Reference",    "CoG",
                                       "Body-FallBack", "Surface",  "FootPrint2D", "Survey Points"};
   return std::find(kOthers.begin(), kOthers.end(), identifier) != kOthers.end();
-}
-
-inline std::string in_lower_case(std::string text) {
-  for (char& c : text)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return text;
 }
 
 class Elements {
@@ -105,7 +101,7 @@ class Elements {
 
   void read_words(const IfcElement& element, Element& read) const {
     const auto add = [&read](const auto& label) {
-      if (label && !label->m_value.empty()) read.words.push_back(in_lower_case(text_of(label)));
+      if (label && !label->m_value.empty()) read.words.push_back(lower_case_letters(text_of(label)));
     };
     add(element.m_Name);
     add(element.m_ObjectType);
@@ -120,7 +116,7 @@ class Elements {
   void read_material(const shared_ptr<IfcMaterialSelect>& select, Element& read) const {
     const auto add = [&read](const shared_ptr<IfcMaterial>& material, double thickness_m = 0) {
       if (material && material->m_Name)
-        read.materials.push_back({in_lower_case(text_of(material->m_Name)), thickness_m});
+        read.materials.push_back({lower_case_letters(text_of(material->m_Name)), thickness_m});
     };
     add(as<IfcMaterial>(select));
     if (const auto list = as<IfcMaterialList>(select))
