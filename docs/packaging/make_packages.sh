@@ -7,7 +7,7 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 jobs=${OPAL_JOBS:-$(nproc)}
 work=$root/out/package
 packages=$root/out/packages
-sources=(CMakeLists.txt framework plugins patterns maps configs docs README.md CHANGELOG.md CONTRIBUTING.md LICENSE)
+sources=(CMakeLists.txt framework plugins patterns maps configs docs README.md CHANGELOG.md CONTRIBUTING.md SECURITY.md LICENSE)
 version=$(sed -n '1s/.*(\(.*\)).*/\1/p' "$root/docs/packaging/debian/changelog")
 
 # Packages and CMake must not disagree on what this is.
@@ -43,6 +43,7 @@ build_in() {  # FOLDER LOG
     tail -n 40 "$2"
     return 1
   fi
+  ! grep ' is not there$' "$2"  # a link of a page: Doxygen does not end when its filter does
 }
 
 # What was compiled before serves again; debhelper sets HOME, so the cache is named.
