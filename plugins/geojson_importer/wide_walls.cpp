@@ -51,10 +51,11 @@ std::vector<std::vector<Point>> widened(const std::vector<WidePiece>& pieces) {
   const EndsByPlace ends = ends_of(pieces);
   std::vector<std::vector<Point>> outlines;
   for (std::size_t k = 0; k < pieces.size(); ++k) {
-    const auto& [middle, width_m] = pieces[k];
+    const Segment& middle = pieces[k].middle;
+    const double half_m = pieces[k].width_m / 2;
     const Point along = middle.direction();
     const auto corner = [&](const Point& end, const Point& out, bool on_left) -> Point {
-      return end + to_corner(out, width_m / 2, on_left, k, ends.at(place_of(end)));
+      return end + to_corner(out, half_m, on_left, k, ends.at(place_of(end)));
     };
     outlines.push_back({corner(middle.begin, -along, true), corner(middle.end, along, false),
                         corner(middle.end, along, true), corner(middle.begin, -along, false)});
