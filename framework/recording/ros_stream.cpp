@@ -1,6 +1,7 @@
 #include "recording/ros_stream.hpp"
 
 #include "common/phrases.hpp"
+#include "recording/ros_log_reader.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -14,7 +15,9 @@ constexpr std::size_t kMostHeldBytes = 64 << 20;
 }  // namespace
 
 RosStream::RosStream(TopicChoice topics, double mount_patience_s)
-    : decoder_(std::move(topics)), mount_patience_s_(mount_patience_s) {}
+    : decoder_(std::move(topics)),
+      scan_topics_(scan_topics_of(decoder_.topics())),
+      mount_patience_s_(mount_patience_s) {}
 
 void RosStream::take_odometry_from_topic(const std::string& topic) {
   TopicChoice topics = decoder_.topics();
@@ -35,7 +38,7 @@ bool RosStream::take_odometry_from_transforms(const std::string& base_frame) {
 void RosStream::take(ReceivedMessage message) {
   newest_s_ = seconds_of(message.received_ns);
   if (!first_s_) first_s_ = newest_s_;
-  const bool lacks_lasers = !is_open_ || admitted_.size() < scan_topics_of(decoder_.topics()).size();
+  const bool lacks_lasers = !is_open_ || admitted_.size() < scan_topics_.size();
   if (lacks_lasers) look_at(message);
   if (is_open_ && lacks_lasers) admit_late_lasers();
   held_bytes_ += message.data.size();
@@ -48,11 +51,7 @@ void RosStream::look_at(const ReceivedMessage& message) {
   const Topic& topic = message.topic;
   if (reads_scans_of(decoder_.topics(), topic.name)) {
     if (laser_by_topic_.contains(topic.name)) return;
-    const auto frame = frame_of(topic, message.bytes());
-    if (!frame) return;
-    laser_by_topic_[topic.name] = *frame;
-    laser_since_s_[topic.name] = newest_s_;
-    lasers_since_s_ = lasers_since_s_.value_or(newest_s_);
+    if (const auto frame = frame_of(topic, message.bytes())) laser_by_topic_[topic.name] = {*frame, newest_s_};
   } else if (has_odometry(topic) && topic.name == decoder_.topics().odometry && !odom_frame_) {
     if (const auto odometry = decode_odometry(message.bytes(), topic.wire)) meet_odometry(*odometry);
   } else if (has_transforms(topic, true)) {
@@ -124,11 +123,14 @@ FixedFrames RosStream::frames() const {
 }
 
 void RosStream::try_to_open() {
-  const bool has_all_lasers = laser_by_topic_.size() >= scan_topics_of(decoder_.topics()).size();
-  if (!hears_odometry() || !(has_all_lasers || is_over(lasers_since_s_, kLaserPatience_s))) return;
+  const bool has_all_lasers = laser_by_topic_.size() >= scan_topics_.size();
+  const bool waited_enough = std::any_of(laser_by_topic_.begin(), laser_by_topic_.end(), [&](const auto& laser) {
+    return is_over(laser.second.since_s, kLaserPatience_s);
+  });
+  if (!hears_odometry() || !(has_all_lasers || waited_enough)) return;
   const FixedFrames known = frames();
   const bool has_all_mounts = std::all_of(laser_by_topic_.begin(), laser_by_topic_.end(), [&](const auto& laser) {
-    return !base_frame_.empty() && find_laser_mount(known, base_frame_, laser.second);
+    return !base_frame_.empty() && find_laser_mount(known, base_frame_, laser.second.frame);
   });
   if (!has_all_mounts && !is_over(first_s_, mount_patience_s_)) return;
   for (const auto& [topic, laser] : laser_by_topic_) admit(topic);
@@ -139,7 +141,7 @@ void RosStream::try_to_open() {
 /// With its mount, if it is known.
 void RosStream::admit(const std::string& topic) {
   admitted_.insert(topic);
-  const std::string& laser = laser_by_topic_.at(topic);
+  const std::string& laser = laser_by_topic_.at(topic).frame;
   const auto is_of_laser = [&](const MountRecord& mount) { return mount.child == laser; };
   if (std::any_of(mounts_.begin(), mounts_.end(), is_of_laser)) return;
   const auto mount = base_frame_.empty() ? std::nullopt : find_laser_mount(frames(), base_frame_, laser);
@@ -152,15 +154,15 @@ void RosStream::admit(const std::string& topic) {
 void RosStream::admit_late_lasers() {
   for (const auto& [topic, laser] : laser_by_topic_) {
     if (admitted_.contains(topic)) continue;
-    const bool has_mount = !base_frame_.empty() && find_laser_mount(frames(), base_frame_, laser);
-    if (has_mount || is_over(laser_since_s_.at(topic), mount_patience_s_)) admit(topic);
+    const bool has_mount = !base_frame_.empty() && find_laser_mount(frames(), base_frame_, laser.frame);
+    if (has_mount || is_over(laser.since_s, mount_patience_s_)) admit(topic);
   }
 }
 
 std::vector<std::string> RosStream::absent_lasers() const {
   std::vector<std::string> absent;
   if (!is_open_) return absent;
-  for (const std::string& topic : scan_topics_of(decoder_.topics()))
+  for (const std::string& topic : scan_topics_)
     if (!admitted_.contains(topic)) absent.push_back(topic);
   return absent;
 }
@@ -187,7 +189,7 @@ std::string RosStream::base_words() const {
 std::string RosStream::waits_for() const {
   std::vector<std::string> missing;
   if (is_open_) return "";
-  for (const std::string& topic : scan_topics_of(decoder_.topics()))
+  for (const std::string& topic : scan_topics_)
     if (!laser_by_topic_.contains(topic)) missing.push_back("scans on " + topic);
   const std::string& odometry = decoder_.topics().odometry;
   if (!hears_odometry() && !odometry.empty()) missing.push_back("odometry on " + odometry);
@@ -196,8 +198,8 @@ std::string RosStream::waits_for() const {
                       (decoder_.topics().base_frame.empty() ? "the robot" : decoder_.topics().base_frame) + " on /tf");
   if (hears_odometry())
     for (const auto& [topic, laser] : laser_by_topic_)
-      if (!first_s_ || base_frame_.empty() || !find_laser_mount(frames(), base_frame_, laser))
-        missing.push_back("the transform from " + base_words() + " to " + laser + " on /tf_static");
+      if (!first_s_ || base_frame_.empty() || !find_laser_mount(frames(), base_frame_, laser.frame))
+        missing.push_back("the transform from " + base_words() + " to " + laser.frame + " on /tf_static");
   return listed(missing);
 }
 

@@ -78,20 +78,24 @@ class RosStream {
   void admit_late_lasers();
   bool is_of_absent_laser(const Topic& topic) const;
 
+  struct SeenLaser {
+    std::string frame;
+    double since_s = 0;  ///< when its first scan was received
+  };
+
   RecordDecoder decoder_;
+  std::vector<std::string> scan_topics_;  // that are described
   double mount_patience_s_;
   std::deque<ReceivedMessage> held_;
   std::size_t held_bytes_ = 0;
   std::optional<double> first_s_;  // when the first message was received
   double newest_s_ = 0;
-  std::string base_frame_;                             // empty: not known yet, or not named
-  std::optional<std::string> odom_frame_;              // of messages of odometry, once one has come
-  std::map<std::string, std::string> laser_by_topic_;  // frames
-  std::map<std::string, double> laser_since_s_;        // by topic: when its first scan was received
-  std::optional<double> lasers_since_s_;               // when the first scan of any laser was
-  std::set<std::string> admitted_;                     // topics of lasers that are used, of an open stream
-  SeenTransforms static_, moving_, unstamped_;         // of the last, the time of receipt is the stamp
-  double newest_stamp_s_ = 0;                          // of transforms that move
+  std::string base_frame_;                 // empty: not known yet, or not named
+  std::optional<std::string> odom_frame_;  // of messages of odometry, once one has come
+  std::map<std::string, SeenLaser> laser_by_topic_;
+  std::set<std::string> admitted_;              // topics of lasers that are used, of an open stream
+  SeenTransforms static_, moving_, unstamped_;  // of the last, the time of receipt is the stamp
+  double newest_stamp_s_ = 0;                   // of transforms that move
   std::vector<MountRecord> mounts_;
   bool is_open_ = false;
   Defects defects_;

@@ -8,7 +8,6 @@
 #include "map/map_file.hpp"
 
 #include <algorithm>
-#include <cstdio>
 #include <iostream>
 
 namespace opal::cli {
