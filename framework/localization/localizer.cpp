@@ -62,7 +62,7 @@ struct Localizer::State {
   void settle();
   int searched_every() const;
   void search_map(const Observation& observation, const Sample& sample);
-  bool has_gathered_much() const;
+  UnderConstrained under_constrained() const;
   void grow();
   std::vector<LocalFeatureId> pattern_of_best() const;
 
@@ -254,18 +254,19 @@ int Localizer::State::searched_every() const {
   return likely && !search_now ? parts.stages.schedule.every_when_likely : 1;
 }
 
-/// Some hypothesis has gathered so much evidence that patterns with a free parameter are not worth their many
-/// candidates.
-bool Localizer::State::has_gathered_much() const {
-  const auto& all = hypotheses.alive();
-  return !all.empty() && all.front().hypothesis.log_likelihood >= parts.stages.search.under_constrained_until_nat;
+/// A place is called localized because no other place explains as much. A search that looks nowhere cannot tell.
+UnderConstrained Localizer::State::under_constrained() const {
+  const Live* best = hypotheses.alive().empty() ? nullptr : &hypotheses.alive().front();
+  const bool knows_much = best && best->hypothesis.log_likelihood >= parts.stages.search.under_constrained_until_nat;
+  if (!knows_much || kidnapping.suspected()) return UnderConstrained::nothing_good;
+  return status.localized() ? UnderConstrained::never : UnderConstrained::nothing_else;
 }
 
 void Localizer::State::search_map(const Observation& observation, const Sample& sample) {
   const MapSearch::Need need{.at_once = hypotheses.alive().empty() || search_now,
                              .anew = search_now,
                              .every = searched_every(),
-                             .under_constrained = !has_gathered_much() || kidnapping.suspected()};
+                             .under_constrained = under_constrained()};
   const GlobalSearch::Scene scene{sample, observation, journal.listening()};
   for (GlobalSearch::Result& found : search_session.look(scene, T_odom_base, need, times)) {
     for (const GlobalSearch::Result::Rejected& rejected : found.rejected)

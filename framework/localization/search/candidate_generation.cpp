@@ -62,6 +62,10 @@ void CandidateGenerator::sweep(const PatternInstance& observed, const PatternTab
     positions.push_back(position + u * along);
 }
 
+bool CandidateGenerator::Inquiry::is_empty() const {
+  return std::none_of(points.begin(), points.end(), [](const TellingPoints& of_lookup) { return of_lookup.enough(); });
+}
+
 std::size_t CandidateGenerator::look_up_newest(Inquiry& inquiry, std::size_t most) const {
   const PatternLookup& lookup = inquiry.lookups[inquiry.lookup];
   const PatternTable& mapped = index_of(lookup).patterns();

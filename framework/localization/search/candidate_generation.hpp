@@ -84,6 +84,11 @@ class OPAL_EXPORT CandidateGenerator {
 };
 
 class CandidateGenerator::Inquiry {
+ public:
+  /// Whether no place of the map is looked at, because nothing is seen that could tell one.
+  bool is_empty() const;
+
+ private:
   friend CandidateGenerator;
   explicit Inquiry(std::size_t close_looks) : filter(close_looks, kOneInPasses) {}
 

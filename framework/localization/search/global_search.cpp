@@ -158,7 +158,8 @@ std::vector<VerifiedCandidate> GlobalSearch::verified(std::vector<Candidate> can
   return verified;
 }
 
-GlobalSearch::Ongoing GlobalSearch::begin(const Scene& scene, bool under_constrained, StageTimes& times) const {
+GlobalSearch::Ongoing GlobalSearch::begin(const Scene& scene, UnderConstrained under_constrained,
+                                          StageTimes& times) const {
   const StageClock clock(times.generate_s);
   std::vector<Point> coarse = coarse_points(scene.sample);
   std::vector<SearchFeature> features = features_for(scene.observation);
@@ -166,7 +167,8 @@ GlobalSearch::Ongoing GlobalSearch::begin(const Scene& scene, bool under_constra
   search.T_local_base = scene.observation.local_map.T_local_base();
   search.features = std::move(features);
   search.coarse = std::move(coarse);
-  search.may_ask_more = under_constrained;
+  search.may_ask_more = under_constrained == UnderConstrained::nothing_good ||
+                        (under_constrained == UnderConstrained::nothing_else && search.inquiry.is_empty());
   return search;
 }
 

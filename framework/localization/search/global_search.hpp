@@ -21,6 +21,13 @@ struct VerifiedCandidate {
   ScorerEnsemble::Verdict verdict = {};
 };
 
+/// Where patterns with a free parameter are looked up, too. They have many candidates each.
+enum class UnderConstrained {
+  never,
+  nothing_else,  ///< where no pattern is seen that fixes the pose: otherwise the map would not be searched at all
+  nothing_good   ///< where those that fix the pose find nothing good, too
+};
+
 /// Looks for places where the robot may be, over the whole map and without any pose: candidates by patterns, then
 /// verified by the newest scan, coarse to fine. A large map has more places than there is time for between two scans:
 /// a search goes on over as many scans as it takes.
@@ -50,9 +57,9 @@ class OPAL_EXPORT GlobalSearch {
   /// A search that has begun.
   class Ongoing;
   /// What is looked for is what these scans show.
-  /// @param under_constrained  patterns with a free parameter may be looked up, too.
+  /// @param under_constrained  where patterns with a free parameter are looked up, too.
   /// @param times  generate_s grows.
-  Ongoing begin(const Scene& scene, bool under_constrained, StageTimes& times) const;
+  Ongoing begin(const Scene& scene, UnderConstrained under_constrained, StageTimes& times) const;
   /// Looks at as many places as there is time for at a scan.
   /// @param scene  the newest scans, by which candidates are verified; poses are the robot's there.
   /// @param times  generate_s and search_s grow.

@@ -16,10 +16,10 @@ class OPAL_EXPORT MapSearch {
 
   /// What is known about the robot.
   struct Need {
-    bool at_once = false;            ///< however little the robot has moved
-    bool anew = false;               ///< the robot is elsewhere than when a search began that is still under way
-    int every = 1;                   ///< chances that make one search
-    bool under_constrained = false;  ///< patterns with a free parameter may be looked up, too
+    bool at_once = false;  ///< however little the robot has moved
+    bool anew = false;     ///< the robot is elsewhere than when a search began that is still under way
+    int every = 1;         ///< chances that make one search
+    UnderConstrained under_constrained = UnderConstrained::never;  ///< where such patterns are looked up, too
   };
   /// @param scene  scans that no call has had yet.
   /// @return what is found with this scan; searches that are not through find nothing yet.

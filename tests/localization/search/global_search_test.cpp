@@ -150,25 +150,25 @@ TEST_CASE("no more candidates are found than asked for, the best ones, and the o
   two.hypotheses = 2;
   many.hypotheses = 50;
   const Searching few(room(), kTruth, two);
-  const auto found = few.find(true, true);
+  const auto found = few.find(UnderConstrained::nothing_good, true);
   CHECK(found.candidates.size() == 2);
   CHECK(is_at(found.candidates.front(), kTruth));
   CHECK_FALSE(found.rejected.empty());
-  CHECK(few.find(true, false).rejected.empty());
+  CHECK(few.find(UnderConstrained::nothing_good, false).rejected.empty());
   CHECK(Searching(room(), kTruth, many).find().candidates.size() > 2);
 }
 
 TEST_CASE("where there are fewer places than may be found, all of them are found") {
   SearchOptions options;
   options.hypotheses = 1000;
-  const auto found = Searching(room(), kTruth, options).find(false, true);
+  const auto found = Searching(room(), kTruth, options).find(UnderConstrained::never, true);
   CHECK(found.candidates.size() < 1000);
   CHECK(found.rejected.empty());
   CHECK(found.candidates.size() <= found.places);
 }
 
 TEST_CASE("no two candidates of one kind of pattern are at one place") {
-  const auto found = Searching().find(false).candidates;
+  const auto found = Searching().find(UnderConstrained::never).candidates;
   for (std::size_t a = 0; a < found.size(); ++a)
     for (std::size_t b = a + 1; b < found.size(); ++b)
       CHECK_FALSE(is_at(found[a], found[b].candidate.T_map_base, 0.2, 0.06));
@@ -187,14 +187,14 @@ TEST_CASE("where no pattern is seen, nothing is found by it") {
   const Searching searching;
   Observation seen = searching.robot.observation();
   seen.features.clear();
-  CHECK(searching.find(seen, true).candidates.empty());
+  CHECK(searching.find(seen, UnderConstrained::nothing_good).candidates.empty());
 }
 
 TEST_CASE("a pattern that the map does not know is not looked up") {
   Features columns_only{{"opal:Column", Circle{{3, 2.2}, 0.4}}, {"opal:Wall", Segment{{0, 0}, {10, 0}}}};
   const Searching unknown(columns_only);
   const Searching known;
-  CHECK(unknown.find(known.robot.observation(), true).looked_up.empty());
+  CHECK(unknown.find(known.robot.observation(), UnderConstrained::nothing_good).looked_up.empty());
 }
 
 TEST_CASE("without templates nothing is found") { CHECK(Searching(room(), kTruth, {}, {}).find().candidates.empty()); }
@@ -214,19 +214,33 @@ TEST_CASE("a wall alone finds the robot along it, but only who asks for patterns
   const Searching searching(room(), kTruth, {}, {walls()});
   LocalMap local_map({}, nullptr);
   const Observation seen = with_wall(searching, local_map);
-  const auto found = searching.find(seen, true).candidates;
+  const auto found = searching.find(seen, UnderConstrained::nothing_good).candidates;
   REQUIRE_FALSE(found.empty());
   CHECK(is_at(found.front(), kTruth));
-  CHECK(searching.find(seen, false).candidates.empty());
+  CHECK(searching.find(seen, UnderConstrained::never).candidates.empty());
 }
 
 TEST_CASE("patterns with a free parameter are not looked up where a pose was found by others") {
   const Searching searching(room(), kTruth, {}, {corners(), walls()});
   LocalMap local_map({}, nullptr);
   const Observation seen = with_wall(searching, local_map);
-  const auto looked_up = searching.find(seen, true).looked_up;
+  const auto looked_up = searching.find(seen, UnderConstrained::nothing_good).looked_up;
   CHECK_FALSE(looked_up.empty());
   for (const auto& pattern : looked_up) CHECK(searching.search.pattern_name(pattern.pattern) == "corner");
+}
+
+TEST_CASE(
+    "where nothing is seen that fixes the pose, patterns with a free parameter may be looked up, and only there") {
+  const Searching searching(room(), kTruth, {}, {corners(), walls()});
+  LocalMap local_map({}, nullptr);
+  Observation seen = with_wall(searching, local_map);
+  for (const auto& pattern : searching.find(seen, UnderConstrained::nothing_else).looked_up)
+    CHECK(searching.search.pattern_name(pattern.pattern) == "corner");
+  std::erase_if(seen.features, [](const auto& each) { return each.type != "opal:Wall"; });
+  CHECK(searching.find(seen, UnderConstrained::never).candidates.empty());
+  const auto found = searching.find(seen, UnderConstrained::nothing_else).candidates;
+  REQUIRE_FALSE(found.empty());
+  CHECK(is_at(found.front(), kTruth));
 }
 
 TEST_CASE("no two candidates of different kinds of patterns are at one place") {
@@ -234,7 +248,7 @@ TEST_CASE("no two candidates of different kinds of patterns are at one place") {
   options.under_constrained_below_nat = 100;  // look both up
   const Searching searching(room(), kTruth, options, {corners(), walls()});
   LocalMap local_map({}, nullptr);
-  const auto found = searching.find(with_wall(searching, local_map), true).candidates;
+  const auto found = searching.find(with_wall(searching, local_map), UnderConstrained::nothing_good).candidates;
   for (std::size_t a = 0; a < found.size(); ++a)
     for (std::size_t b = a + 1; b < found.size(); ++b)
       CHECK_FALSE(is_at(found[a], found[b].candidate.T_map_base, 0.2, 0.06));

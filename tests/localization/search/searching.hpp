@@ -22,10 +22,12 @@ struct Searching {
         judges(map, {{"fit", fit_scorer(), ScorerRole::decides, 1}}),
         robot(map, T_map_base),
         search(map, std::move(templates), judges.ensemble, options) {}
-  GlobalSearch::Result find(bool under_constrained = true, bool keep_rejected = false) const {
+  GlobalSearch::Result find(UnderConstrained under_constrained = UnderConstrained::nothing_good,
+                            bool keep_rejected = false) const {
     return find(robot.observation(), under_constrained, keep_rejected);
   }
-  GlobalSearch::Result find(const Observation& seen, bool under_constrained, bool keep_rejected = false) const {
+  GlobalSearch::Result find(const Observation& seen, UnderConstrained under_constrained,
+                            bool keep_rejected = false) const {
     StageTimes times;
     GlobalSearch::Ongoing ongoing = search.begin({robot.sample(), seen}, under_constrained, times);
     std::optional<GlobalSearch::Result> found;

@@ -46,7 +46,8 @@ TEST_CASE("the fewer places a scan looks at, the more scans a search takes") {
     const Searching searching(rooms(4), kTruth, so_many_per_scan(places));
     const Observation seen = searching.robot.observation();
     StageTimes times;
-    GlobalSearch::Ongoing ongoing = searching.search.begin({searching.robot.sample(), seen}, false, times);
+    GlobalSearch::Ongoing ongoing =
+        searching.search.begin({searching.robot.sample(), seen}, UnderConstrained::never, times);
     std::size_t scans = 1;
     while (!searching.search.go_on(ongoing, {searching.robot.sample(), seen}, times)) ++scans;
     CAPTURE(places, scans);
@@ -60,7 +61,7 @@ TEST_CASE("a robot that drives on while a search goes on is found where it is th
   Searching searching(rooms(4), kTruth, so_many_per_scan(4));
   StageTimes times;
   GlobalSearch::Ongoing ongoing =
-      searching.search.begin({searching.robot.sample(), searching.robot.observation()}, false, times);
+      searching.search.begin({searching.robot.sample(), searching.robot.observation()}, UnderConstrained::never, times);
   std::optional<GlobalSearch::Result> found;
   int scans = 0;
   while (!found) {

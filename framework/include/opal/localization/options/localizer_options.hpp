@@ -46,7 +46,7 @@ struct SearchOptions {
   int under_constrained_patterns = 3;      ///< patterns with a free parameter that are looked up per scan
   double under_constrained_below_nat = 1;  ///< patterns with a free parameter are looked up if no candidate scores this
   double under_constrained_until_nat = 3;  ///< patterns with a free parameter are looked up while no hypothesis has
-                                           ///< gathered this much
+                                           ///< gathered this much; while not localized, also where there are no others
   bool from_stable = false;                ///< only stable local features may be looked up (Hendrikx 2023)
   std::optional<RegionPrior> region;       ///< where candidates may be; none: on the whole map
 
