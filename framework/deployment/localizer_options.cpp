@@ -67,9 +67,8 @@ const Fields<SearchOptions>& fields_of(const SearchOptions&) {
       {"under_constrained_below_nat", &O::under_constrained_below_nat, "nat", -kMany, kMany,
        "patterns with a free parameter are looked up if no candidate scores this"},
       {"under_constrained_until_nat", &O::under_constrained_until_nat, "nat", -kMany, kMany,
-       "patterns with a free parameter are looked up while no hypothesis has gathered this much; while not localized, "
-       "also "
-       "where there are no others"},
+       "patterns with a free parameter are looked up while no hypothesis has gathered this much; "
+       "while not localized, also where there are no others"},
       {"from_stable", &O::from_stable, "", 0, 0, "only stable local features are looked up (Hendrikx 2023)"},
   };
   return all;

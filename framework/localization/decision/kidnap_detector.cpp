@@ -33,8 +33,11 @@ void KidnapDetector::add(const Evidence& seen) {
   usual_share_ = kShareMemory * usual_share_ + (1 - kShareMemory) * seen.match_share;
   if (seen.match_share < kContinuingShare) discontinued_ = seen.keyframe;
   turn_to(seen);
+  // Without a break, scans taken close together miss the same walls: they say little more than one of them does.
+  const double share = discontinued(watch_) ? 1 : seen.tempering_weight;
+  const double missing_nat = share * (wanted_nat() - seen.scan_nat);
   if (seen.established || watch_.suspicion_nat > 0)
-    watch_.suspicion_nat = std::clamp(watch_.suspicion_nat + wanted_nat() - seen.scan_nat, 0.0, kMostSuspicion_nat);
+    watch_.suspicion_nat = std::clamp(watch_.suspicion_nat + missing_nat, 0.0, kMostSuspicion_nat);
   const double kept = 1 - seen.tempering_weight * (1 - evidence_memory_);
   if (watch_.suspicion_nat == 0) {
     constexpr double kMemory = 0.9;

@@ -11,7 +11,7 @@ namespace opal {
 /// Asks after every scan whether the robot has been kidnapped: a cumulative sum test (Page 1954) of "the best
 /// hypothesis was right up to some scan, and no scan since then was taken where it says" against "it is right". Who is
 /// kidnapped also sees something else from one scan to the next; who enters a part of the building that the map has
-/// wrong does not.
+/// wrong does not. As long as every scan continues those before, a scan counts by its tempering weight.
 class OPAL_EXPORT KidnapDetector {
  public:
   /// @param evidence_memory  as TrackingOptions.

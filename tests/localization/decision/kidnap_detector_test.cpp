@@ -17,7 +17,7 @@ struct Watch {
   void see(double scan_nat, double match_share = 1, bool established = true) {
     gathered_nat = kDetectorMemory * gathered_nat + scan_nat;
     keyframe = keyframe.next();
-    detector.add({keyframe, 1, match_share, scan_nat, gathered_nat, established, kidnapped_after});
+    detector.add({keyframe, tempering_weight, match_share, scan_nat, gathered_nat, established, kidnapped_after});
   }
   void see_good(int scans) {
     for (int k = 0; k < scans; ++k) see(kGood_nat);
@@ -34,6 +34,7 @@ struct Watch {
   void take_over() { kidnapped_after = keyframe; }
   KidnapDetector detector{KidnappingOptions{}, kDetectorMemory};
   KeyframeId keyframe{0};
+  double tempering_weight = 1;
   double gathered_nat = 0;
   KeyframeId kidnapped_after;
 };
@@ -70,6 +71,26 @@ TEST_CASE("who drives into a part that the map has wrong is not kidnapped, howev
   watch.see_bad(50);
   CHECK_FALSE(watch.detector.suspected());
   CHECK(watch.detector.probability() < 0.5);
+}
+
+TEST_CASE("who drives 20 m past things that hide all walls is not kidnapped, however often the laser looks") {
+  constexpr double kDriven_m = 20, kNothing_nat = 0;
+  for (const int scans : {20, 140, 400}) {
+    CAPTURE(scans);
+    Watch watch;
+    watch.see_good(10);
+    watch.tempering_weight = kDriven_m / TemperingOptions{}.distance_m / scans;
+    for (int k = 0; k < scans; ++k) watch.see(kNothing_nat);
+    CHECK(watch.detector.probability() < 1 - StatusOptions{}.localized_probability);
+  }
+}
+
+TEST_CASE("after a break each scan counts in full, however close it was taken") {
+  Watch watch;
+  watch.see_good(10);
+  watch.tempering_weight = 0.1;
+  watch.be_kidnapped(3);
+  CHECK(watch.detector.suspected());
 }
 
 TEST_CASE("bad scans after one that continues nothing are a kidnapping after the last good scan") {
