@@ -122,6 +122,8 @@ const Fields<HypothesesOptions>& fields_of(const HypothesesOptions&) {
       {"spawn_nat", &O::spawn_nat, "nat", -kMany, kMany, "log prior of a new hypothesis against clutter"},
       {"prune_nat", &O::prune_nat, "nat", 0, kMany, "a hypothesis that is worse than the best by this ends"},
       {"max_hypotheses", &O::max_hypotheses, "", 1, kMany, "hypotheses that are kept"},
+      {"compared_places", &O::compared_places, "", 0, 100,
+       "so many of the best places are compared with each other by the beams that tell them apart; 0: none"},
   };
   return all;
 }

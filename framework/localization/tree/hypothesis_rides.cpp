@@ -23,6 +23,7 @@ void HypothesisSet::carry(const Elsewhere& elsewhere, const Pose2& T_local_base)
     RetrospectiveVerification::Verdict past;
   };
   std::vector<Arrival> arrivals;
+  comparison_.clear();
   for (Live& live : alive_) {
     const std::vector<Pose2> poses = elsewhere(live.hypothesis.T_map_local * T_local_base);
     if (poses.empty()) continue;
@@ -34,6 +35,7 @@ void HypothesisSet::carry(const Elsewhere& elsewhere, const Pose2& T_local_base)
     for (const Pose2& pose : poses) arrivals.push_back({live.hypothesis.id, pose, past});
     live.hypothesis.memories = {};
     live.ridden_nat = live.hypothesis.log_likelihood;
+    live.compared_nat = 0;
   }
   for (Arrival& arrival : arrivals) {
     Candidate candidate;

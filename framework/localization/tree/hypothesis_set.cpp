@@ -51,11 +51,13 @@ HypothesisSet::HypothesisSet(std::shared_ptr<const MapView> map, const ScorerEns
       tracking_(options.tracking),
       growth_(options.growth),
       options_(options.hypotheses),
-      listener_(listener) {}
+      listener_(listener),
+      comparison_(map_, options.hypotheses.compared_places) {}
 
 void HypothesisSet::clear() {
   alive_.clear();
   tree_.clear();
+  comparison_.clear();
 }
 
 HypothesisId HypothesisSet::new_id() { return std::exchange(next_id_, next_id_.next()); }
@@ -88,11 +90,25 @@ void HypothesisSet::track(const Observation& observation, double tempering_weigh
     live.scores = std::move(verdicts[k].scores);
     live.inherited_nat *= kept;
     live.ridden_nat *= kept;
+    live.compared_nat *= kept;
     if (!verdicts[k].veto.empty()) end(live, "veto by " + verdicts[k].veto);
   }
   std::erase_if(alive_, ended);
   merge(T_local_base);
+  compare(observation, tempering_weight);
   prune();
+}
+
+void HypothesisSet::compare(const Observation& observation, double tempering_weight) {
+  std::vector<PlaceComparison::Place> places;
+  for (const Live& live : alive_)
+    places.push_back({live.hypothesis.id, observation.T_map_base(live.hypothesis.T_map_local)});
+  comparison_.add(observation, places, tempering_weight, tracking_.evidence_memory);
+  for (Live& live : alive_) {
+    const double against_nat = comparison_.against_nat(live.hypothesis.id);
+    live.hypothesis.log_likelihood += live.compared_nat - against_nat;
+    live.compared_nat = against_nat;
+  }
 }
 
 Live* HypothesisSet::at_place_of(const Candidate& candidate, const Pose2& T_local_base) {
@@ -132,7 +148,7 @@ double HypothesisSet::surplus_in_retrospect(const Observation& observation, doub
   const Spawned anew =
       in_retrospect(best, ensemble_.judge(best, observation), observation, tempering_weight, retrospective);
   if (anew.past.scans == 0 || anew.past.hopeless || anew.past.kidnapped_after.exists()) return 0;
-  return std::max(0.0, anew.nat - alive_.front().hypothesis.log_likelihood);
+  return std::max(0.0, anew.nat - alive_.front().hypothesis.log_likelihood - alive_.front().compared_nat);
 }
 
 void HypothesisSet::insert(Live live, Spawned spawned, Candidate candidate, HypothesisId from) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "localization/scoring/place_comparison.hpp"
 #include "localization/scoring/scorer_ensemble.hpp"
 #include "localization/search/global_search.hpp"
 #include "localization/search/retrospective_verification.hpp"
@@ -26,6 +27,7 @@ struct Live {
   KeyframeId kidnapped_after = {};  ///< the robot was kidnapped after this keyframe, if it is right; none: it was not
   double inherited_nat = 0;         ///< part of its evidence that the best hypothesis had gathered by then
   double ridden_nat = 0;            ///< part of its evidence from before a ride: every storey has that
+  double compared_nat = 0;          ///< taken off its evidence: another place explains better what tells the two apart
   PoseFilter pose;                  ///< what the scans since it was spawned say about where it is
   std::vector<Score> scores;        ///< of the newest scan, in the ensemble's order
 };
@@ -145,6 +147,8 @@ class OPAL_EXPORT HypothesisSet {
   /// @return an id that no hypothesis has had.
   HypothesisId new_id();
   void end(Live& live, const std::string& reason, HypothesisId merged_into = {});
+  /// Holds the best places against each other: who explains less of what tells them apart loses evidence.
+  void compare(const Observation& observation, double tempering_weight);
   void merge(const Pose2& T_local_base);
   void merge_similar();
   void prune();
@@ -157,6 +161,7 @@ class OPAL_EXPORT HypothesisSet {
   GrowthOptions growth_;
   HypothesesOptions options_;
   HypothesisListener& listener_;
+  PlaceComparison comparison_;
   AssociationTree tree_;
   std::vector<Live> alive_;
   HypothesisId next_id_{0};

@@ -92,6 +92,7 @@ struct HypothesesOptions {
   double spawn_nat = -3.0;   ///< log prior of a new hypothesis against clutter
   double prune_nat = 7;      ///< worse than the best by this: ended
   int max_hypotheses = 120;  ///< the best ones are kept
+  int compared_places = 4;   ///< so many of the best are compared with each other by the beams that tell them apart
 };
 
 /// Status: when the best hypothesis is called localized, when lost.

@@ -1,0 +1,130 @@
+#include "localization/scoring/place_comparison.hpp"
+#include "localization/tree/hypothesis_set.hpp"
+#include "tests/localization/synthetic_scene.hpp"
+#include "tests/localization/tree/deaf_listener.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+
+using namespace opal;
+using namespace opal::synthetic;
+
+namespace {
+
+constexpr HypothesisId kHere{0}, kThere{1};
+constexpr double kMemory = 0.99;
+const Pose2 kTo_there(100, 0, 0);
+
+/// Two rooms alike, 100 m apart; what the robot sees is the first one.
+struct TwoRooms {
+  explicit TwoRooms(const Features& only_here = {}, const Features& only_there = {}) : robot(here(only_here), {}) {
+    Features all = moved(kTo_there, room());
+    const Features first = room(), elsewhere = moved(kTo_there, only_there);
+    for (const Features* some : {&first, &only_here, &elsewhere}) all.insert(all.end(), some->begin(), some->end());
+    map = view_of(all);
+  }
+  static std::shared_ptr<const MapView> here(const Features& only_here) {
+    Features all = room();
+    all.insert(all.end(), only_here.begin(), only_here.end());
+    return view_of(all);
+  }
+  /// Drives through the room, and looks at it from ten places.
+  PlaceComparison driven(int times = 1, int places = 4, bool reversed = false) {
+    PlaceComparison comparison(map, places);
+    for (int k = 0; k < 10 * times; ++k) {
+      const Pose2 T_map_base(2 + 0.3 * (k % 10), 2.2, 0.4 * k);
+      robot.drive_to(T_map_base);
+      std::vector<PlaceComparison::Place> all{{kHere, T_map_base}, {kThere, kTo_there * T_map_base}};
+      if (reversed) std::reverse(all.begin(), all.end());
+      comparison.add(robot.observation(), all, 0.5, kMemory);
+    }
+    return comparison;
+  }
+  std::shared_ptr<const MapView> map;
+  Robot robot;
+};
+
+Feature column() { return {"opal:Column", Circle{{4, 5.2}, 0.25}}; }
+
+/// By how much the hypothesis that is right leads, if its scorer cannot tell it from the other one.
+double lead_nat(int compared_places) {
+  TwoRooms rooms({column()});
+  rooms.robot.drive_to({2, 2.2, 0});
+  Judges judges(rooms.map, {{"constant", constant_scorer(1), ScorerRole::decides, 1}});
+  LocalizerOptions options;
+  options.hypotheses.compared_places = compared_places;
+  DeafListener nobody;
+  HypothesisSet set(rooms.map, judges.ensemble, options, nobody);
+  RetrospectiveVerification past(rooms.map, judges.ensemble, no_earlier_scans(), 1);
+  std::vector<VerifiedCandidate> both(2);
+  both[0].candidate.T_map_base = rooms.robot.T_map_base();
+  both[1].candidate.T_map_base = kTo_there * rooms.robot.T_map_base();
+  for (VerifiedCandidate& one : both) one.verdict = judges.ensemble.judge({}, rooms.robot.observation());
+  set.spawn(std::move(both), rooms.robot.observation(), 1, past);
+  for (int k = 1; k < 10; ++k) {
+    rooms.robot.drive_to({2 + 0.3 * k, 2.2, 0.4 * k});
+    set.track(rooms.robot.observation(), 0.5, {}, {0, 0});
+  }
+  REQUIRE(set.alive().size() == 2);
+  const Live &best = set.alive()[0], &other = set.alive()[1];
+  if (compared_places > 0) CHECK(best.hypothesis.T_map_local.x() < other.hypothesis.T_map_local.x());
+  return best.hypothesis.log_likelihood - other.hypothesis.log_likelihood;
+}
+
+}  // namespace
+
+TEST_CASE("a column that only one of two equal rooms has tells them apart") {
+  const PlaceComparison seen = TwoRooms({column()}).driven();
+  CHECK(seen.against_nat(kThere) > 0.5);
+  CHECK(seen.against_nat(kHere) == 0);
+}
+
+TEST_CASE("so does a column that should be seen and is not") {
+  const PlaceComparison seen = TwoRooms({}, {column()}).driven();
+  CHECK(seen.against_nat(kThere) > 0.5);
+  CHECK(seen.against_nat(kHere) == 0);
+}
+
+TEST_CASE("what two places have in common says nothing, however long it is seen") {
+  const PlaceComparison seen = TwoRooms().driven(20);
+  CHECK(seen.against_nat(kHere) == 0);
+  CHECK(seen.against_nat(kThere) == 0);
+}
+
+TEST_CASE("what is seen again and again says ever less") {
+  TwoRooms rooms({column()});
+  const double once = rooms.driven(1).against_nat(kThere), often = rooms.driven(10).against_nat(kThere),
+               more_often = rooms.driven(20).against_nat(kThere);
+  CHECK(often < 3 * once);
+  CHECK(more_often - often < often - once);
+}
+
+TEST_CASE("which of two places leads does not matter to their comparison") {
+  TwoRooms rooms({column()});
+  CHECK(rooms.driven(1, 4, true).against_nat(kThere) == rooms.driven().against_nat(kThere));
+}
+
+TEST_CASE("places that have little in common are not compared") {
+  Features walls;
+  for (double x : {1.0, 3.0, 5.0, 7.0}) walls.push_back({"opal:Line", Segment{{x + 0.5, 3.2}, {x - 0.5, 3.2}}});
+  CHECK(TwoRooms({}, walls).driven().against_nat(kThere) == 0);
+}
+
+TEST_CASE("a deployment can do without comparisons") {
+  CHECK(TwoRooms({column()}).driven(1, 0).against_nat(kThere) == 0);
+  CHECK(TwoRooms({column()}).driven(1, 1).against_nat(kThere) == 0);
+}
+
+TEST_CASE("a hypothesis that ends takes its comparisons along") {
+  TwoRooms rooms({column()});
+  PlaceComparison seen = rooms.driven();
+  const std::vector<PlaceComparison::Place> left{{kThere, kTo_there * rooms.robot.T_map_base()}};
+  seen.add(rooms.robot.observation(), left, 0.5, kMemory);
+  CHECK(seen.against_nat(kThere) == 0);
+}
+
+TEST_CASE("of two hypotheses that a scorer cannot tell apart, the one that explains what differs leads") {
+  CHECK(lead_nat(4) > 0.5);
+  CHECK(lead_nat(0) == Approx(0).margin(1e-9));
+}
