@@ -73,8 +73,10 @@ class RunTest(unittest.TestCase):
 
     def starts_of(self, out="out"):
         """Queries that have begun, by the events that are on the disk."""
-        file = self.folder / out / "events.jsonl"
-        return file.read_text().count('{"event":"start"') if file.exists() else 0
+        try:
+            return (self.folder / out / "events.jsonl").read_text().count('{"event":"start"')
+        except FileNotFoundError:  # not yet there, or a new run has just put away that of an earlier one
+            return 0
 
     def events(self, out="out"):
         """All events; a line that is none fails the test."""
