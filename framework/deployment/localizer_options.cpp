@@ -67,8 +67,7 @@ const Fields<SearchOptions>& fields_of(const SearchOptions&) {
       {"under_constrained_below_nat", &O::under_constrained_below_nat, "nat", -kMany, kMany,
        "patterns with a free parameter are looked up if no candidate scores this"},
       {"under_constrained_until_nat", &O::under_constrained_until_nat, "nat", -kMany, kMany,
-       "patterns with a free parameter are looked up while no hypothesis has gathered this much; "
-       "while not localized, also where there are no others"},
+       "patterns with a free parameter are looked up while no hypothesis has this much, and where there are no others"},
       {"from_stable", &O::from_stable, "", 0, 0, "only stable local features are looked up (Hendrikx 2023)"},
   };
   return all;
@@ -122,8 +121,7 @@ const Fields<HypothesesOptions>& fields_of(const HypothesesOptions&) {
       {"spawn_nat", &O::spawn_nat, "nat", -kMany, kMany, "log prior of a new hypothesis against clutter"},
       {"prune_nat", &O::prune_nat, "nat", 0, kMany, "a hypothesis that is worse than the best by this ends"},
       {"max_hypotheses", &O::max_hypotheses, "", 1, kMany, "hypotheses that are kept"},
-      {"compared_places", &O::compared_places, "", 0, 100,
-       "so many of the best places are compared with each other by the beams that tell them apart; 0: none"},
+      {"compared_places", &O::compared_places, "", 0, 100, "best places told apart by the beams that differ; 0: none"},
   };
   return all;
 }
