@@ -8,7 +8,8 @@
 namespace opal {
 namespace {
 
-// Of a scan: a few dozen beams on what differs are enough, and each costs a walk through the map per place.
+// At least so many of a scan, if it has them: a few dozen on what differs are enough, and each costs a walk through the
+// map per place.
 constexpr std::size_t kBeams = 100;
 // A surface this far behind a beam's end still says where the beam should have ended.
 constexpr double kLookAhead_m = 1;
@@ -76,52 +77,54 @@ auto PlaceComparison::expect(const Point& eye, const Point& end) const -> Expect
   return {met.range_m, is_on ? Outcome::ends_on : Outcome::ends_before};
 }
 
-void PlaceComparison::add_beam(std::span<const Place> places, std::span<const Expected> expected, EvidenceCell cell,
-                               double beams) {
-  for (std::size_t a = 0; a < places.size(); ++a)
-    for (std::size_t b = a + 1; b < places.size(); ++b) {
-      const auto [i, j] = places[a].hypothesis < places[b].hypothesis ? std::pair(a, b) : std::pair(b, a);
-      const auto first = static_cast<std::size_t>(expected[i].outcome),
-                 second = static_cast<std::size_t>(expected[j].outcome);
-      Pair& pair = pair_of(places[i].hypothesis, places[j].hypothesis);
-      if (std::abs(expected[i].range_m - expected[j].range_m) < kApart_m) {
-        pair.common[first] += beams / 2;
-        pair.common[second] += beams / 2;
-        continue;
-      }
-      Telling& seen = pair.telling[cell];
-      seen.first[first] += beams;
-      seen.second[second] += beams;
-    }
+void PlaceComparison::Pair::add(const Expected& at_first, const Expected& at_second, EvidenceCell cell, double beams) {
+  const auto first_outcome = static_cast<std::size_t>(at_first.outcome),
+             second_outcome = static_cast<std::size_t>(at_second.outcome);
+  if (std::abs(at_first.range_m - at_second.range_m) < kApart_m) {
+    common[first_outcome] += beams / 2;
+    common[second_outcome] += beams / 2;
+    return;
+  }
+  Telling& seen = telling[cell];
+  seen.first[first_outcome] += beams;
+  seen.second[second_outcome] += beams;
 }
 
 void PlaceComparison::add_scan(const ObservedScan& scan, std::span<const Place> places, double weight) {
   const std::size_t step = std::max<std::size_t>(1, scan.points.size() / kBeams),
                     looked_at = (scan.points.size() + step - 1) / step;
-  std::vector<Expected> expected(places.size());
+  const double beams = weight * 100 / static_cast<double>(looked_at);
+  std::vector<EvidenceCell> cells;
+  std::vector<std::vector<Expected>> expected(places.size());  // by place and beam
   for (std::size_t k = 0; k < scan.points.size(); k += step) {
     if (scan.points[k] == scan.laser_position) continue;
+    cells.push_back(scan.evidence_cells[k]);
     for (std::size_t p = 0; p < places.size(); ++p)
-      expected[p] = expect(places[p].T_map_base * scan.laser_position, places[p].T_map_base * scan.points[k]);
-    add_beam(places, expected, scan.evidence_cells[k], weight * 100 / static_cast<double>(looked_at));
+      expected[p].push_back(expect(places[p].T_map_base * scan.laser_position, places[p].T_map_base * scan.points[k]));
   }
+  for (std::size_t a = 0; a < places.size(); ++a)
+    for (std::size_t b = a + 1; b < places.size(); ++b) {
+      const auto [i, j] = places[a].hypothesis < places[b].hypothesis ? std::pair(a, b) : std::pair(b, a);
+      Pair& pair = pair_of(places[i].hypothesis, places[j].hypothesis);
+      for (std::size_t k = 0; k < cells.size(); ++k) pair.add(expected[i][k], expected[j][k], cells[k], beams);
+    }
 }
 
 void PlaceComparison::add(const Observation& observation, std::span<const Place> places, double weight, double memory) {
   forget_all_but(places);
   for (Pair& pair : pairs_) pair.fade(1 - weight * (1 - memory));
   const auto compared = places.first(std::min(places.size(), static_cast<std::size_t>(std::max(0, most_places_))));
-  if (compared.size() < 2) return;
-  for (const ObservedScan& scan : observation.scans)
-    add_scan(scan, compared, weight / static_cast<double>(observation.scans.size()));
+  if (compared.size() > 1)
+    for (const ObservedScan& scan : observation.scans)
+      add_scan(scan, compared, weight / static_cast<double>(observation.scans.size()));
+  for (Pair& pair : pairs_) pair.lead_nat = pair.nat();
 }
 
 double PlaceComparison::against_nat(HypothesisId hypothesis) const {
   double most = 0;
   for (const Pair& pair : pairs_) {
     if (pair.first != hypothesis && pair.second != hypothesis) continue;
-    const double lead = pair.nat();
-    most = std::max(most, pair.first == hypothesis ? -lead : lead);
+    most = std::max(most, pair.first == hypothesis ? -pair.lead_nat : pair.lead_nat);
   }
   return most;
 }

@@ -52,22 +52,23 @@ class OPAL_EXPORT PlaceComparison {
   struct Telling {
     Outcomes first{}, second{};  ///< what the same beams are at the two places
   };
-  struct Pair {
-    HypothesisId first, second;  ///< in this order
-    Outcomes common{};           ///< of beams that do not tell the two apart
-    std::map<EvidenceCell, Telling> telling{};
-
-    double nat() const;  ///< by which the first one leads
-    void fade(double kept);
-  };
   struct Expected {
     double range_m = 0;  ///< to the surface
     Outcome outcome = Outcome::ends_before;
   };
+  struct Pair {
+    HypothesisId first, second;  ///< in this order
+    Outcomes common{};           ///< of beams that do not tell the two apart
+    std::map<EvidenceCell, Telling> telling{};
+    double lead_nat = 0;  ///< nat() after the newest observation: each of the two asks
+
+    double nat() const;  ///< by which the first one leads
+    void fade(double kept);
+    void add(const Expected& at_first, const Expected& at_second, EvidenceCell cell, double beams);
+  };
 
   Expected expect(const Point& eye, const Point& end) const;
   void add_scan(const ObservedScan& scan, std::span<const Place> places, double weight);
-  void add_beam(std::span<const Place> places, std::span<const Expected> expected, EvidenceCell cell, double beams);
   Pair& pair_of(HypothesisId first, HypothesisId second);
   void forget_all_but(std::span<const Place> places);
 

@@ -129,13 +129,13 @@ void check(const Tally& tally) {
 }  // namespace
 
 TEST_CASE("both stores find the same features near a place in a recorded hall") {
-  check(ask_both(malaga(), "malaga", "PlanarLidar2D", 1000, 11));
+  check(ask_both(malaga(), "malaga", "PlanarLidar2D", 3000, 11));
 }
 
 TEST_CASE("both stores find the same features near a place in a large map") {
   const Map map = large_map(20000, 5);
-  check(ask_both(map, "large hall", "PlanarLidar2D", 1000, 12));
-  check(ask_both(map, "large hall", "Camera", 300, 13));
+  check(ask_both(map, "large hall", "PlanarLidar2D", 3000, 12));
+  check(ask_both(map, "large hall", "Camera", 1000, 13));
 }
 
 TEST_CASE("a question about a building, a version or a place that is not there is refused") {
