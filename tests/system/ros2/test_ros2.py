@@ -99,7 +99,7 @@ class ADrive(ADriveChecks):
     def test_odometry_is_taken_from_its_topic_if_there_are_no_transforms_and_best_effort_is_read(self):
         heard, errors = self.drive(3, "odometry", "best_effort")
         self.assertIn("odometry is taken from /odom", errors)
-        self.assertGreater(len(numbers(heard, "pose")), 5, errors)  # a busy machine loses more: nobody sends them again
+        self.assertGreater(len(numbers(heard, "pose")), 15, errors)
 
     def test_a_3d_lidar_is_localized_by_a_slice_of_its_clouds(self):
         config = read_config("malaga")
