@@ -171,7 +171,7 @@ void BeamScorer::remember(ScorerMemory& memory, const ScorerMemory& seen, double
 }
 
 void BeamScorer::fade(ScorerMemory& memory, double weight) const {
-  static_cast<Encounters&>(memory).fade(1 - weight * (1 - encounter_memory_));
+  static_cast<Encounters&>(memory).fade(kept_share(weight, encounter_memory_));
 }
 
 Score BeamScorer::score(const Hypothesis& hypothesis, const Observation& observation, const MapView& map,

@@ -1,5 +1,7 @@
 #include "localization/decision/kidnap_detector.hpp"
 
+#include <opal/localization/scoring/scorer_memory.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -38,7 +40,7 @@ void KidnapDetector::add(const Evidence& seen) {
   const double missing_nat = share * (wanted_nat() - seen.scan_nat);
   if (seen.established || watch_.suspicion_nat > 0)
     watch_.suspicion_nat = std::clamp(watch_.suspicion_nat + missing_nat, 0.0, kMostSuspicion_nat);
-  const double kept = 1 - seen.tempering_weight * (1 - evidence_memory_);
+  const double kept = kept_share(seen.tempering_weight, evidence_memory_);
   if (watch_.suspicion_nat == 0) {
     constexpr double kMemory = 0.9;
     watch_.usual_nat = kMemory * watch_.usual_nat + (1 - kMemory) * seen.scan_nat;

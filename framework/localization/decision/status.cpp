@@ -168,7 +168,7 @@ PoseEstimate StatusEstimator::estimate(const std::vector<Live>& alive, const Pos
   estimate.stamp_s = stamp_s;
   estimate.hypotheses = static_cast<int>(alive.size());
   none_nat_ =
-      (1 - now.tempering_weight * (1 - evidence_memory_)) * none_nat_ + now.tempering_weight * options_.none_scan_nat;
+      kept_share(now.tempering_weight, evidence_memory_) * none_nat_ + now.tempering_weight * options_.none_scan_nat;
   believe(alive);
   estimate.none = belief_.none;
   if (alive.empty()) {

@@ -112,7 +112,7 @@ void PlaceComparison::add_scan(const ObservedScan& scan, std::span<const Place> 
 
 void PlaceComparison::add(const Observation& observation, std::span<const Place> places, double weight, double memory) {
   forget_all_but(places);
-  for (Pair& pair : pairs_) pair.fade(1 - weight * (1 - memory));
+  for (Pair& pair : pairs_) pair.fade(kept_share(weight, memory));
   const auto compared = places.first(std::min(places.size(), static_cast<std::size_t>(std::max(0, most_places_))));
   if (compared.size() > 1)
     for (const ObservedScan& scan : observation.scans)

@@ -83,7 +83,7 @@ void HypothesisSet::track(const Observation& observation, double tempering_weigh
                              T_local_base.inverse();
     live.scan_nat = verdicts[k].nat;
     ++live.updates;
-    const double kept = 1 - tempering_weight * (1 - tracking_.evidence_memory);
+    const double kept = kept_share(tempering_weight, tracking_.evidence_memory);
     hypothesis.log_likelihood = kept * hypothesis.log_likelihood + tempering_weight * verdicts[k].nat;
     ensemble_.fade(hypothesis, tempering_weight);
     ensemble_.remember(hypothesis, verdicts[k].scores, tempering_weight);

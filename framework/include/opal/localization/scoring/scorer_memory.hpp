@@ -9,6 +9,11 @@
 
 namespace opal {
 
+/// What one more scan leaves of the evidence that was gathered before it.
+/// @param weight  share of a whole, independent piece of evidence that the scan is, in (0, 1].
+/// @param memory  what a whole piece leaves, in [0, 1].
+constexpr double kept_share(double weight, double memory) { return 1 - weight * (1 - memory); }
+
 /// What a scorer remembers of one hypothesis, or what one scan adds to it. Made, read and changed by that scorer alone;
 /// to everybody else it is opaque.
 class OPAL_EXPORT ScorerMemory {
