@@ -25,6 +25,7 @@ void HypothesisSet::carry(const Elsewhere& elsewhere, const Pose2& T_local_base)
   std::vector<Arrival> arrivals;
   comparison_.clear();
   for (Live& live : alive_) {
+    live.compared_nat = 0;  // what places have lost by comparisons before the ride stays lost
     const std::vector<Pose2> poses = elsewhere(live.hypothesis.T_map_local * T_local_base);
     if (poses.empty()) continue;
     live.hypothesis.log_likelihood -= std::log(1 + static_cast<double>(poses.size()));
@@ -35,7 +36,6 @@ void HypothesisSet::carry(const Elsewhere& elsewhere, const Pose2& T_local_base)
     for (const Pose2& pose : poses) arrivals.push_back({live.hypothesis.id, pose, past});
     live.hypothesis.memories = {};
     live.ridden_nat = live.hypothesis.log_likelihood;
-    live.compared_nat = 0;
   }
   for (Arrival& arrival : arrivals) {
     Candidate candidate;

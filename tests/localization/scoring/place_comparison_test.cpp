@@ -47,30 +47,42 @@ struct TwoRooms {
 
 Feature column() { return {"opal:Column", Circle{{4, 5.2}, 0.25}}; }
 
-/// By how much the hypothesis that is right leads, if its scorer cannot tell it from the other one.
-double lead_nat(int compared_places) {
-  TwoRooms rooms({column()});
-  rooms.robot.drive_to({2, 2.2, 0});
-  Judges judges(rooms.map, {{"constant", constant_scorer(1), ScorerRole::decides, 1}});
-  LocalizerOptions options;
-  options.hypotheses.compared_places = compared_places;
-  DeafListener nobody;
-  HypothesisSet set(rooms.map, judges.ensemble, options, nobody);
-  RetrospectiveVerification past(rooms.map, judges.ensemble, no_earlier_scans(), 1);
-  std::vector<VerifiedCandidate> both(2);
-  both[0].candidate.T_map_base = rooms.robot.T_map_base();
-  both[1].candidate.T_map_base = kTo_there * rooms.robot.T_map_base();
-  for (VerifiedCandidate& one : both) one.verdict = judges.ensemble.judge({}, rooms.robot.observation());
-  set.spawn(std::move(both), rooms.robot.observation(), 1, past);
-  for (int k = 1; k < 10; ++k) {
-    rooms.robot.drive_to({2 + 0.3 * k, 2.2, 0.4 * k});
-    set.track(rooms.robot.observation(), 0.5, {}, {0, 0});
+/// Hypotheses at both places, which the scorer cannot tell apart. The robot is at the first one.
+struct Undecided {
+  explicit Undecided(int compared_places) : options(comparing(compared_places)) {
+    rooms.robot.drive_to({2, 2.2, 0});
+    std::vector<VerifiedCandidate> both(2);
+    both[0].candidate.T_map_base = rooms.robot.T_map_base();
+    both[1].candidate.T_map_base = kTo_there * rooms.robot.T_map_base();
+    for (VerifiedCandidate& one : both) one.verdict = judges.ensemble.judge({}, rooms.robot.observation());
+    set.spawn(std::move(both), rooms.robot.observation(), 1, past);
   }
-  REQUIRE(set.alive().size() == 2);
-  const Live &best = set.alive()[0], &other = set.alive()[1];
-  if (compared_places > 0) CHECK(best.hypothesis.T_map_local.x() < other.hypothesis.T_map_local.x());
-  return best.hypothesis.log_likelihood - other.hypothesis.log_likelihood;
-}
+  static LocalizerOptions comparing(int places) {
+    LocalizerOptions options;
+    options.hypotheses.compared_places = places;
+    return options;
+  }
+  void drive(int from = 1) {
+    for (int k = from; k < from + 9; ++k) {
+      rooms.robot.drive_to({2 + 0.3 * (k % 10), 2.2, 0.4 * k});
+      set.track(rooms.robot.observation(), 0.5, {}, {0, 0});
+    }
+    REQUIRE(set.alive().size() == 2);
+  }
+  /// By how much the hypothesis at the first place leads.
+  double lead_nat() const {
+    const Live &best = set.alive()[0], &other = set.alive()[1];
+    const double lead = best.hypothesis.log_likelihood - other.hypothesis.log_likelihood;
+    return best.hypothesis.T_map_local.x() < other.hypothesis.T_map_local.x() ? lead : -lead;
+  }
+
+  TwoRooms rooms{{column()}};
+  Judges judges{rooms.map, {{"constant", constant_scorer(1), ScorerRole::decides, 1}}};
+  RetrospectiveVerification past{rooms.map, judges.ensemble, no_earlier_scans(), 1};
+  DeafListener nobody;
+  LocalizerOptions options;
+  HypothesisSet set{rooms.map, judges.ensemble, options, nobody};
+};
 
 }  // namespace
 
@@ -125,6 +137,30 @@ TEST_CASE("a hypothesis that ends takes its comparisons along") {
 }
 
 TEST_CASE("of two hypotheses that a scorer cannot tell apart, the one that explains what differs leads") {
-  CHECK(lead_nat(4) > 0.5);
-  CHECK(lead_nat(0) == Approx(0).margin(1e-9));
+  for (const int places : {4, 0}) {
+    Undecided robot(places);
+    robot.drive();
+    CAPTURE(places);
+    if (places > 0)
+      CHECK(robot.lead_nat() > 0.5);
+    else
+      CHECK(robot.lead_nat() == Approx(0).margin(1e-9));
+  }
+}
+
+TEST_CASE("a ride gives back nothing of what a place in no lift had lost") {
+  Undecided robot(4);
+  robot.drive();
+  const double before_nat = robot.lead_nat();
+  const auto lift = [](const Pose2& at) { return std::vector<Pose2>(at.x() < 50, Pose2(at.x() + 1000, at.y(), 0)); };
+  robot.set.carry(lift, robot.rooms.robot.observation().local_map.T_local_base());
+  robot.set.track(robot.rooms.robot.observation(), 0.5, {}, {0, 0});
+  REQUIRE(robot.set.alive().size() == 3);
+  const auto nat_near = [&](double x_m) {
+    for (const Live& live : robot.set.alive())
+      if (std::abs(live.hypothesis.T_map_local.x() - x_m) < 50) return live.hypothesis.log_likelihood;
+    return 0.0;
+  };
+  const double kept = kept_share(0.5, TrackingOptions{}.evidence_memory);
+  CHECK(nat_near(0) - nat_near(100) >= kept * (before_nat - std::log(2)) - 1e-9);
 }
