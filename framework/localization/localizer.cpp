@@ -126,7 +126,8 @@ std::optional<PoseEstimate> Localizer::update(const Sample& recorded) {
   s.watch();
   s.search_map(observation, sample);
   s.grow();
-  s.retrospective.remember(observation, s.keyframe, s.tempering_weight(), s.best_scan_nat());
+  s.retrospective.remember(observation, s.keyframe, s.tempering_weight(), s.best_scan_nat(),
+                           s.hypotheses.places(s.local_map.T_local_base()));
   const PoseEstimate estimate = s.with_place(s.estimate(observation));
   s.settle();
   s.journal.estimate(estimate, s.hypotheses.alive(), s.status.belief());

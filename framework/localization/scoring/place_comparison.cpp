@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numeric>
 #include <utility>
 
@@ -53,10 +54,16 @@ void PlaceComparison::Pair::fade(double kept) {
   }
 }
 
-auto PlaceComparison::pair_of(HypothesisId first, HypothesisId second) -> Pair& {
+auto PlaceComparison::find(HypothesisId one, HypothesisId other) -> Pair* {
+  const auto [first, second] = std::minmax(one, other);
   const auto found = std::find_if(pairs_.begin(), pairs_.end(),
                                   [&](const Pair& pair) { return pair.first == first && pair.second == second; });
-  return found != pairs_.end() ? *found : pairs_.emplace_back(Pair{.first = first, .second = second});
+  return found == pairs_.end() ? nullptr : &*found;
+}
+
+auto PlaceComparison::pair_of(HypothesisId one, HypothesisId other) -> Pair& {
+  if (Pair* known = find(one, other)) return *known;
+  return pairs_.emplace_back(Pair{.first = std::min(one, other), .second = std::max(one, other)});
 }
 
 void PlaceComparison::forget_all_but(std::span<const Place> places) {
@@ -110,14 +117,43 @@ void PlaceComparison::add_scan(const ObservedScan& scan, std::span<const Place> 
     }
 }
 
-void PlaceComparison::add(const Observation& observation, std::span<const Place> places, double weight, double memory) {
-  forget_all_but(places);
-  for (Pair& pair : pairs_) pair.fade(kept_share(weight, memory));
-  const auto compared = places.first(std::min(places.size(), static_cast<std::size_t>(std::max(0, most_places_))));
-  if (compared.size() > 1)
-    for (const ObservedScan& scan : observation.scans)
-      add_scan(scan, compared, weight / static_cast<double>(observation.scans.size()));
+void PlaceComparison::add_scans(const Sight& seen, std::span<const Place> places) {
+  for (const ObservedScan& scan : seen.scans)
+    add_scan(scan, places, seen.weight / static_cast<double>(seen.scans.size()));
+}
+
+auto PlaceComparison::best_of(std::span<const Place> places) const -> std::span<const Place> {
+  return places.first(std::min(places.size(), most_places_));
+}
+
+void PlaceComparison::add(const Sight& seen) {
+  forget_all_but(seen.places);
+  for (Pair& pair : pairs_) pair.fade(kept_share(seen.weight, memory_));
+  const std::span<const Place> compared = best_of(seen.places);
+  if (compared.size() > 1) add_scans(seen, compared);
   for (Pair& pair : pairs_) pair.lead_nat = pair.nat();
+}
+
+void PlaceComparison::look_back(std::span<const Sight> before, std::span<const Place> places) {
+  forget_all_but(places);
+  const std::span<const Place> compared = best_of(places);
+  for (std::size_t a = 0; a < compared.size(); ++a)
+    for (std::size_t b = a + 1; b < compared.size(); ++b)
+      if (!find(compared[a].hypothesis, compared[b].hypothesis))
+        look_back(before, compared[a].hypothesis, compared[b].hypothesis);
+}
+
+void PlaceComparison::look_back(std::span<const Sight> before, HypothesisId one, HypothesisId other) {
+  const auto is_compared = [&](const Place& place) { return place.hypothesis == one || place.hypothesis == other; };
+  for (const Sight& seen : before) {
+    std::vector<Place> both;
+    std::ranges::copy_if(seen.places, std::back_inserter(both), is_compared);
+    if (both.size() < 2) continue;
+    pair_of(one, other).fade(kept_share(seen.weight, memory_));
+    add_scans(seen, both);
+  }
+  Pair& pair = pair_of(one, other);
+  pair.lead_nat = pair.nat();
 }
 
 double PlaceComparison::against_nat(HypothesisId hypothesis) const {

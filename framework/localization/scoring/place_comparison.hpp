@@ -4,6 +4,7 @@
 #include <opal/localization/scoring/hypothesis.hpp>
 #include <opal/map/view/map_view.hpp>
 
+#include <algorithm>
 #include <array>
 #include <map>
 #include <memory>
@@ -28,18 +29,30 @@ namespace opal {
 class OPAL_EXPORT PlaceComparison {
  public:
   /// @param places  so many of the best places are compared with each other; fewer than 2: none.
-  PlaceComparison(std::shared_ptr<const MapView> map, int places) : map_(std::move(map)), most_places_(places) {}
+  /// @param memory  share of what was seen that is kept per whole piece of evidence.
+  PlaceComparison(std::shared_ptr<const MapView> map, int places, double memory)
+      : map_(std::move(map)), most_places_(static_cast<std::size_t>(std::max(0, places))), memory_(memory) {}
 
   /// A place where the robot may be.
   struct Place {
     HypothesisId hypothesis;
-    Pose2 T_map_base;  ///< at the newest scans
+    Pose2 T_map_base;
+  };
+  /// What was seen at one time.
+  struct Sight {
+    std::span<const ObservedScan> scans;
+    double weight = 0;              ///< how much of a new piece of evidence it is, in (0, 1]
+    std::span<const Place> places;  ///< where the robot was then
   };
   /// Compares the best places by what is seen now.
+  /// @param seen  with the places of all hypotheses that are alive, best first.
+  void add(const Sight& seen);
+
+  /// Compares the best places that were not compared with each other yet by what was seen before: who comes late has
+  /// to explain that, too.
+  /// @param before  oldest first; where a hypothesis has no place then, it explains nothing.
   /// @param places  of all hypotheses that are alive, best first.
-  /// @param weight  how much of a new piece of evidence the observation is, in (0, 1].
-  /// @param memory  share of what was seen that is kept per whole piece of evidence.
-  void add(const Observation& observation, std::span<const Place> places, double weight, double memory);
+  void look_back(std::span<const Sight> before, std::span<const Place> places);
 
   /// By how much another place explains better what tells the two apart [nat], >= 0: the most of all comparisons.
   double against_nat(HypothesisId hypothesis) const;
@@ -69,11 +82,16 @@ class OPAL_EXPORT PlaceComparison {
 
   Expected expect(const Point& eye, const Point& end) const;
   void add_scan(const ObservedScan& scan, std::span<const Place> places, double weight);
-  Pair& pair_of(HypothesisId first, HypothesisId second);
+  void add_scans(const Sight& seen, std::span<const Place> places);
+  void look_back(std::span<const Sight> before, HypothesisId one, HypothesisId other);
+  std::span<const Place> best_of(std::span<const Place> places) const;
+  Pair* find(HypothesisId one, HypothesisId other);
+  Pair& pair_of(HypothesisId one, HypothesisId other);
   void forget_all_but(std::span<const Place> places);
 
   std::shared_ptr<const MapView> map_;
-  int most_places_;
+  std::size_t most_places_;
+  double memory_;
   std::vector<Pair> pairs_;
 };
 

@@ -3,6 +3,7 @@
 #include "localization/alignment/registration.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace opal {
 namespace {
@@ -30,13 +31,13 @@ std::vector<ObservedScan> every_other_beam(const std::vector<ObservedScan>& scan
 }  // namespace
 
 void RetrospectiveVerification::remember(const Observation& observation, KeyframeId keyframe, double tempering_weight,
-                                         double best_nat) {
+                                         double best_nat, std::vector<PlaceComparison::Place> places) {
   if (options_.scans == 0 || observation.points() == 0) return;
   pending_ += tempering_weight;
   if (pending_ < 1 && !scans_.empty()) return;
   const double piece = std::min(pending_, 1.0);  // no scan is more than one whole piece of evidence
   scans_.push_front({observation.local_map.T_local_base(), every_other_beam(observation.scans), observation.features,
-                     observation.feature_scans, piece, best_nat, keyframe});
+                     observation.feature_scans, piece, best_nat, keyframe, std::move(places)});
   pending_ -= piece;
   if (scans_.size() > static_cast<std::size_t>(options_.scans)) scans_.pop_back();
 }
@@ -59,6 +60,7 @@ RetrospectiveVerification::Verdict RetrospectiveVerification::verify(const Hypot
     }
     T_map_base = refine_on_map(*map_, scan.scans, T_map_base * (T_later_local * scan.T_local_base), refinement);
     T_later_local = scan.T_local_base.inverse();
+    verdict.T_map_base.push_back(T_map_base);
     trial.T_map_local = T_map_base * T_now_local;  // scorers place the robot by the newest pose
     const Observation seen{
         .local_map = local_map, .scans = scan.scans, .features = scan.features, .feature_scans = scan.feature_scans};
@@ -79,7 +81,25 @@ RetrospectiveVerification::Verdict RetrospectiveVerification::verify(const Hypot
 }
 
 RetrospectiveVerification::Verdict RetrospectiveVerification::if_kidnapped(const Verdict& since) const {
-  return {since.nat + kidnapping_->nat, since.memories, kidnapping_->keyframe, kidnapping_->nat, since.scans, false};
+  return {since.nat + kidnapping_->nat,
+          since.memories,
+          kidnapping_->keyframe,
+          kidnapping_->nat,
+          since.scans,
+          false,
+          since.T_map_base};
+}
+
+void RetrospectiveVerification::place(HypothesisId hypothesis, const std::vector<Pose2>& T_map_base) {
+  for (std::size_t k = 0; k < std::min(T_map_base.size(), scans_.size()); ++k)
+    scans_[k].places.push_back({hypothesis, T_map_base[k]});
+}
+
+std::vector<PlaceComparison::Sight> RetrospectiveVerification::sights() const {
+  std::vector<PlaceComparison::Sight> oldest_first;
+  for (auto scan = scans_.rbegin(); scan != scans_.rend(); ++scan)
+    oldest_first.push_back({scan->scans, scan->tempering_weight, scan->places});
+  return oldest_first;
 }
 
 void RetrospectiveVerification::forget_until(KeyframeId keyframe) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "localization/scoring/place_comparison.hpp"
 #include "localization/scoring/scorer_ensemble.hpp"
 
 #include <opal/localization/options/localizer_options.hpp>
@@ -22,7 +23,9 @@ class OPAL_EXPORT RetrospectiveVerification {
   /// @param keyframe  of the observation.
   /// @param tempering_weight   how much of a new piece of evidence it is, in (0, 1].
   /// @param best_nat  what it said for the hypothesis that was the best then.
-  void remember(const Observation& observation, KeyframeId keyframe, double tempering_weight, double best_nat);
+  /// @param places    of all hypotheses then.
+  void remember(const Observation& observation, KeyframeId keyframe, double tempering_weight, double best_nat,
+                std::vector<PlaceComparison::Place> places = {});
 
   /// The robot may have been kidnapped.
   struct Takeover {
@@ -43,9 +46,15 @@ class OPAL_EXPORT RetrospectiveVerification {
     double inherited_nat = 0;         ///< part of it that another hypothesis had gathered by then
     int scans = 0;                    ///< how many of them were looked at
     bool hopeless = false;            ///< fell so far behind the best ones of the time that the rest was not looked at
+    std::vector<Pose2> T_map_base;    ///< where the robot was at each of them, newest first
   };
   /// @param hypothesis  registration to the local map as it is now.
   Verdict verify(const Hypothesis& hypothesis, const LocalMap& local_map) const;
+
+  /// A hypothesis that comes late was there before, too. @param T_map_base  as in its verdict.
+  void place(HypothesisId hypothesis, const std::vector<Pose2>& T_map_base);
+  /// The scans that are kept, oldest first. Valid until the next change.
+  std::vector<PlaceComparison::Sight> sights() const;
 
   /// How much of a whole new piece of evidence a scan is after the newest one that is kept, in (0, 1].
   /// @param tempering_weight  of the scan after its predecessor.
@@ -64,6 +73,7 @@ class OPAL_EXPORT RetrospectiveVerification {
     double tempering_weight = 0;  ///< of the observations since the one before
     double best_nat = 0;
     KeyframeId keyframe = {};
+    std::vector<PlaceComparison::Place> places;  ///< of the hypotheses then, and of those that came later
   };
 
   /// What a verdict on the scans since then becomes.

@@ -52,7 +52,7 @@ HypothesisSet::HypothesisSet(std::shared_ptr<const MapView> map, const ScorerEns
       growth_(options.growth),
       options_(options.hypotheses),
       listener_(listener),
-      comparison_(map_, options.hypotheses.compared_places) {}
+      comparison_(map_, options.hypotheses.compared_places, options.tracking.evidence_memory) {}
 
 void HypothesisSet::clear() {
   alive_.clear();
@@ -99,11 +99,24 @@ void HypothesisSet::track(const Observation& observation, double tempering_weigh
   prune();
 }
 
-void HypothesisSet::compare(const Observation& observation, double tempering_weight) {
+std::vector<PlaceComparison::Place> HypothesisSet::places(const Pose2& T_local_base) const {
   std::vector<PlaceComparison::Place> places;
-  for (const Live& live : alive_)
-    places.push_back({live.hypothesis.id, observation.T_map_base(live.hypothesis.T_map_local)});
-  comparison_.add(observation, places, tempering_weight, tracking_.evidence_memory);
+  for (const Live& live : alive_) places.push_back({live.hypothesis.id, live.hypothesis.T_map_local * T_local_base});
+  return places;
+}
+
+void HypothesisSet::compare(const Observation& observation, double tempering_weight) {
+  comparison_.add({observation.scans, tempering_weight, places(observation.local_map.T_local_base())});
+  take_comparisons();
+}
+
+void HypothesisSet::compare_in_retrospect(const Pose2& T_local_base, const RetrospectiveVerification& retrospective) {
+  sort_best_first(alive_);
+  comparison_.look_back(retrospective.sights(), places(T_local_base));
+  take_comparisons();
+}
+
+void HypothesisSet::take_comparisons() {
   for (Live& live : alive_) {
     const double against_nat = comparison_.against_nat(live.hypothesis.id);
     live.hypothesis.log_likelihood += live.compared_nat - against_nat;
@@ -165,7 +178,7 @@ void HypothesisSet::insert(Live live, Spawned spawned, Candidate candidate, Hypo
 }
 
 void HypothesisSet::spawn(std::vector<VerifiedCandidate> candidates, const Observation& observation,
-                          double tempering_weight, const RetrospectiveVerification& retrospective) {
+                          double tempering_weight, RetrospectiveVerification& retrospective) {
   const Pose2& T_local_base = observation.local_map.T_local_base();
   std::optional<double> surplus;
   for (VerifiedCandidate& verified : candidates) {
@@ -192,9 +205,11 @@ void HypothesisSet::spawn(std::vector<VerifiedCandidate> candidates, const Obser
     if (!spawned.past.kidnapped_after.exists()) spawned.nat -= *surplus;
     live.scan_nat = verdict.nat;
     live.scores = std::move(verdict.scores);
+    const std::vector<Pose2> before = std::move(spawned.past.T_map_base);
     insert(std::move(live), std::move(spawned), std::move(candidate));
+    retrospective.place(alive_.back().hypothesis.id, before);
   }
-  sort_best_first(alive_);
+  compare_in_retrospect(T_local_base, retrospective);
   prune();
 }
 

@@ -76,8 +76,9 @@ class OPAL_EXPORT HypothesisSet {
   /// Takes candidates that the coarse-to-fine filters let pass as new hypotheses; those at the place of an old one
   /// renew it.
   /// @param tempering_weight  of the scan, as for `track`.
+  /// @param retrospective     by which they are verified; it learns where they were before.
   void spawn(std::vector<VerifiedCandidate> candidates, const Observation& observation, double tempering_weight,
-             const RetrospectiveVerification& retrospective);
+             RetrospectiveVerification& retrospective);
 
   /// Algorithm 2: every hypothesis says for each of these local features what it is on the map, or that it is not. The
   /// features that the map's index expects least often go first: they leave fewest branches.
@@ -100,6 +101,8 @@ class OPAL_EXPORT HypothesisSet {
 
   void clear();
   const std::vector<Live>& alive() const { return alive_; }
+  /// Where the robot stands by each of them, best first.
+  std::vector<PlaceComparison::Place> places(const Pose2& T_local_base) const;
   const AssociationTree& tree() const { return tree_; }
 
  private:
@@ -149,6 +152,10 @@ class OPAL_EXPORT HypothesisSet {
   void end(Live& live, const std::string& reason, HypothesisId merged_into = {});
   /// Holds the best places against each other: who explains less of what tells them apart loses evidence.
   void compare(const Observation& observation, double tempering_weight);
+  /// The same by what was seen before, for those that come late.
+  void compare_in_retrospect(const Pose2& T_local_base, const RetrospectiveVerification& retrospective);
+  /// Takes off everybody's evidence what comparisons say against it.
+  void take_comparisons();
   void merge(const Pose2& T_local_base);
   void merge_similar();
   void prune();

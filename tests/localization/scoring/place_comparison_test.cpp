@@ -29,15 +29,19 @@ struct TwoRooms {
     all.insert(all.end(), only_here.begin(), only_here.end());
     return view_of(all);
   }
+  static Pose2 way(int k) { return {2 + 0.3 * (k % 10), 2.2, 0.4 * k}; }
+  /// Both places; the robot is at the first one.
+  std::vector<PlaceComparison::Place> places() const {
+    return {{kHere, robot.T_map_base()}, {kThere, kTo_there * robot.T_map_base()}};
+  }
   /// Drives through the room, and looks at it from ten places.
-  PlaceComparison driven(int times = 1, int places = 4, bool reversed = false) {
-    PlaceComparison comparison(map, places);
+  PlaceComparison driven(int times = 1, int most_places = 4, bool reversed = false) {
+    PlaceComparison comparison(map, most_places, kMemory);
     for (int k = 0; k < 10 * times; ++k) {
-      const Pose2 T_map_base(2 + 0.3 * (k % 10), 2.2, 0.4 * k);
-      robot.drive_to(T_map_base);
-      std::vector<PlaceComparison::Place> all{{kHere, T_map_base}, {kThere, kTo_there * T_map_base}};
+      robot.drive_to(way(k));
+      std::vector<PlaceComparison::Place> all = places();
       if (reversed) std::reverse(all.begin(), all.end());
-      comparison.add(robot.observation(), all, 0.5, kMemory);
+      comparison.add({robot.observation().scans, 0.5, all});
     }
     return comparison;
   }
@@ -131,9 +135,36 @@ TEST_CASE("a deployment can do without comparisons") {
 TEST_CASE("a hypothesis that ends takes its comparisons along") {
   TwoRooms rooms({column()});
   PlaceComparison seen = rooms.driven();
-  const std::vector<PlaceComparison::Place> left{{kThere, kTo_there * rooms.robot.T_map_base()}};
-  seen.add(rooms.robot.observation(), left, 0.5, kMemory);
+  const std::vector<PlaceComparison::Place> left{rooms.places()[1]};
+  seen.add({{}, 0.5, left});
   CHECK(seen.against_nat(kThere) == 0);
+}
+
+TEST_CASE("a place that comes late has to explain what was seen before, as if it had been there all along") {
+  TwoRooms rooms({column()});
+  const double all_along_nat = rooms.driven().against_nat(kThere);
+  std::vector<Observation> observations;
+  std::vector<std::vector<PlaceComparison::Place>> places;
+  for (int k = 0; k < 10; ++k) {
+    rooms.robot.drive_to(TwoRooms::way(k));
+    observations.push_back(rooms.robot.observation());
+    places.push_back(rooms.places());
+  }
+  std::vector<PlaceComparison::Sight> before;
+  for (std::size_t k = 0; k < places.size(); ++k) before.push_back({observations[k].scans, 0.5, places[k]});
+  PlaceComparison late(rooms.map, 4, kMemory);
+
+  SECTION("once only") {
+    for (int times = 0; times < 2; ++times) late.look_back(before, rooms.places());
+    CHECK(late.against_nat(kThere) == Approx(all_along_nat).epsilon(0.1));
+    CHECK(late.against_nat(kHere) == 0);
+  }
+  SECTION("but not where it was not there") {
+    for (std::vector<PlaceComparison::Place>& then : places) then.pop_back();
+    for (std::size_t k = 0; k < places.size(); ++k) before[k].places = places[k];
+    late.look_back(before, rooms.places());
+    CHECK(late.against_nat(kThere) == 0);
+  }
 }
 
 TEST_CASE("of two hypotheses that a scorer cannot tell apart, the one that explains what differs leads") {
@@ -146,6 +177,24 @@ TEST_CASE("of two hypotheses that a scorer cannot tell apart, the one that expla
     else
       CHECK(robot.lead_nat() == Approx(0).margin(1e-9));
   }
+}
+
+TEST_CASE("a hypothesis that is found late starts behind the one that explains better what was seen before") {
+  Undecided robot(4);
+  RetrospectiveVerification past(robot.rooms.map, robot.judges.ensemble, {}, kMemory);
+  for (int k = 1; k < 10; ++k) {
+    robot.rooms.robot.drive_to(TwoRooms::way(k));
+    past.remember(robot.rooms.robot.observation(), KeyframeId(k), 1, 1);
+  }
+  robot.set.clear();
+  for (const Pose2& from_here : {Pose2(), kTo_there}) {
+    std::vector<VerifiedCandidate> found(1);
+    found[0].candidate.T_map_base = from_here * robot.rooms.robot.T_map_base();
+    found[0].verdict = robot.judges.ensemble.judge({}, robot.rooms.robot.observation());
+    robot.set.spawn(std::move(found), robot.rooms.robot.observation(), 1, past);
+  }
+  REQUIRE(robot.set.alive().size() == 2);
+  CHECK(robot.lead_nat() > 0.5);
 }
 
 TEST_CASE("a ride gives back nothing of what a place in no lift had lost") {
