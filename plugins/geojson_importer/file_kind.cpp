@@ -2,7 +2,6 @@
 
 #include "geojson_reader.hpp"
 
-#include <opal/common/error.hpp>
 #include <opal/common/letter_case.hpp>
 
 #include <algorithm>
@@ -66,13 +65,11 @@ bool looks_like_plan(const std::string& path) {
          (ends.any_has("\"FeatureCollection\"") || (ends.has("\"features\"") && ends.has("\"geometry\"")));
 }
 
-void refuse_openstreetmap(const std::string& path) {
+OsmForm osm_form_of(const std::string& path) {
   const std::string ending = ending_of(path);
   const Ends ends = ends_of(path);
-  const bool is_xml = is_osm_xml(ending, ends);
-  if (!is_xml && !is_overpass(ending, ends)) return;
-  throw MapError(path + ": " + (is_xml ? "is XML of OpenStreetMap" : "is JSON of Overpass") +
-                 ", expected GeoJSON: osmtogeojson converts it (osmtogeojson FILE > FILE.geojson)");
+  if (is_osm_xml(ending, ends)) return OsmForm::xml;
+  return is_overpass(ending, ends) ? OsmForm::json : OsmForm::none;
 }
 
 }  // namespace opal::geojson_importer

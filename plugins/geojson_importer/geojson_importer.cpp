@@ -4,6 +4,7 @@
 #include "file_kind.hpp"
 #include "imdf_archive.hpp"
 #include "level.hpp"
+#include "part_words.hpp"
 
 #include <opal/common/error.hpp>
 #include <opal/import_kit/length_unit.hpp>
@@ -12,6 +13,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <tuple>
 
 namespace opal::geojson_importer {
 namespace {
@@ -43,6 +45,27 @@ std::vector<std::string> sentences_about_damage(const FeatureCollection& collect
                       std::count_if(first, collection.features.end(), is_damaged), first->damage)};
 }
 
+/// Of features that no rule knows. Walls of the plan's own say more than areas that are used for something: then only
+/// walls, doors and the like are known by words. What has no words at all is what the whole collection is called.
+void find_types_by_words(const std::string& file, FeatureCollection& collection) {
+  const auto is_wall = [](const Feature& feature) { return feature.type == "opal:Wall"; };
+  std::vector<Feature*> areas;
+  for (Feature& feature : collection.features) {
+    const auto known = feature.type.empty() ? class_by_words(feature) : std::nullopt;
+    if (known) std::tie(feature.type, feature.said_by) = *known;
+    if (known && (known->first == kRoom || known->first == kCorridor)) areas.push_back(&feature);
+  }
+  if (std::any_of(collection.features.begin(), collection.features.end(), is_wall))
+    for (Feature* area : areas) area->type = area->said_by = "";
+  const auto has_type = [](const Feature& feature) { return !feature.type.empty(); };
+  if (std::any_of(collection.features.begin(), collection.features.end(), has_type)) return;
+  const std::string& name = collection.name.empty() ? file : collection.name;
+  const auto type = class_by_name(name);
+  if (!type) return;
+  for (Feature& feature : collection.features) feature.type = *type;
+  collection.notes.push_back("every feature taken for " + *type + ", as the collection is called '" + name + "'");
+}
+
 }  // namespace
 
 GeoJsonImporter::GeoJsonImporter(const nlohmann::json& options)
@@ -69,11 +92,13 @@ bool GeoJsonImporter::recognizes(const std::string& path) const {
 }
 
 FeatureCollection GeoJsonImporter::plan_at(const std::string& path) const {
-  refuse_openstreetmap(path);
   FeatureCollection collection = read_plan(path);
+  for (Feature& feature : collection.features)
+    feature.type = plan_.rules.class_of(classes_of(feature, class_property_).names).value_or("");
+  if (class_property_.empty()) find_types_by_words(name_of(path), collection);
   for (Feature& feature : collection.features) {
-    const auto type = plan_.rules.class_of(classes_of(feature, class_property_).names);
-    feature.is_used = type && *type != ClassRules::kLeaveOut && *type != kArea && *type != kOpening;
+    const std::string& type = feature.type;
+    feature.is_used = !type.empty() && type != ClassRules::kLeaveOut && type != kArea && type != kOpening;
   }
   return collection;
 }
@@ -114,6 +139,12 @@ std::string GeoJsonImporter::chosen_level(const std::string& path, const Feature
   return level;
 }
 
+FeatureClasses GeoJsonImporter::shown_classes(const Feature& feature) const {
+  FeatureClasses classes = classes_of(feature, class_property_);
+  if (!feature.said_by.empty()) classes.shown = feature.said_by;
+  return classes;
+}
+
 std::vector<Storey> GeoJsonImporter::storeys(const std::string& path) const {
   FeatureCollection collection = plan_at(path);
   find_levels(path, level_property_, collection);
@@ -122,7 +153,7 @@ std::vector<Storey> GeoJsonImporter::storeys(const std::string& path) const {
     const auto label = collection.label_of_level.find(level);
     Storey storey{level, label == collection.label_of_level.end() ? level : label->second};
     for (const Feature& feature : collection.features)
-      if (feature.is_used && is_on_level(feature, level)) ++storey.gives[classes_of(feature, class_property_).shown];
+      if (feature.is_used && is_on_level(feature, level)) ++storey.gives[shown_classes(feature).shown];
     storeys.push_back(std::move(storey));
   }
   return storeys;
@@ -132,7 +163,7 @@ PlanElements GeoJsonImporter::elements_of(const std::string& path, const Feature
                                           const std::string& level) const {
   PlanElements elements(path, plan_, elements_);
   for (const Feature& feature : collection.features) {
-    const FeatureClasses classes = classes_of(feature, class_property_);
+    const FeatureClasses classes = shown_classes(feature);
     if (level.empty() || is_on_level(feature, level))
       elements.add(feature, classes);
     else
@@ -159,10 +190,10 @@ MapImport GeoJsonImporter::import(const std::string& path) const {
   for (const std::string& sentence : place(path, placement(), collection)) sentences.push_back(sentence);
   PlanElements plan = elements_of(path, collection, level);
   if (plan.elements.empty())
-    throw MapError(
-        path +
-        ": no feature gives anything for a map, expected the options classes and class_property to name some of: " +
-        plan.tally.overview());
+    throw MapError(path + (collection.features.empty() ? ": has no features, expected a plan"
+                                                       : ": no feature gives anything for a map, expected the options "
+                                                         "classes and class_property to name some of: " +
+                                                             plan.tally.overview()));
 
   MapOrigin origin;
   origin.storey = collection.label_of_level.contains(level) ? collection.label_of_level.at(level) : level;

@@ -30,6 +30,8 @@ class GeoJsonImporter final : public MapImporter {
   /// The level to import; empty: there is one only. @throws MapError if the option names none.
   std::string chosen_level(const std::string& path, const FeatureCollection& collection,
                            std::vector<std::string>& sentences) const;
+  /// With what says the type of a feature that words of it gave.
+  FeatureClasses shown_classes(const Feature& feature) const;
   PlanElements elements_of(const std::string& path, const FeatureCollection& collection,
                            const std::string& level) const;
 

@@ -1,6 +1,8 @@
 #include "geojson_reader.hpp"
 
+#include "file_kind.hpp"
 #include "lenient_json.hpp"
+#include "osm_reader.hpp"
 
 #include <opal/common/error.hpp>
 #include <opal/common/letter_case.hpp>
@@ -34,14 +36,16 @@ class Reader {
   explicit Reader(const std::string& path) : path_(path) {}
 
   FeatureCollection run() {
-    json all = read_lenient_json(path_, notes_);
-    const bool may_lack_numbers = !notes_.empty();
+    json all = document();
+    if (all.is_array()) all = {{"type", "FeatureCollection"}, {"features", std::move(all)}};
+    if (all.is_object() && !all.contains("type") && all.contains("geometryType"))
+      fail("", "JSON of ArcGIS", "GeoJSON (f=geojson in its address)");
     const std::string type = type_of(all, "", "FeatureCollection or Feature");
     FeatureCollection collection;
     collection.crs = crs_of(all);
     if (all.contains("name") && all.at("name").is_string()) collection.name = all.at("name");
     if (type == "Feature") {
-      collection.features.push_back(feature_of(all, "", 0, may_lack_numbers));
+      collection.features.push_back(feature_of(all, "", 0));
       collection.notes = std::move(notes_);
       return collection;
     }
@@ -49,14 +53,28 @@ class Reader {
     (void)list(all, "features", "");
     json& features = all.at("features");
     for (std::size_t k = 0; k < features.size(); ++k)
-      collection.features.push_back(feature_of(features[k], "/features/" + std::to_string(k), k, may_lack_numbers));
+      collection.features.push_back(feature_of(features[k], "/features/" + std::to_string(k), k));
     if (repeated_ids_ > 0)
       notes_.push_back(fmt::format("features whose id another one has, and that have another now: {}", repeated_ids_));
+    if (open_rings_ > 0)
+      notes_.push_back(
+          fmt::format("doubtful: rings whose last position is not their first, and that were closed: {}", open_rings_));
     collection.notes = std::move(notes_);
     return collection;
   }
 
  private:
+  /// GeoJSON, or what OpenStreetMap hands out as GeoJSON.
+  json document() {
+    const OsmForm form = osm_form_of(path_);
+    if (form == OsmForm::xml) return geojson_of(read_osm_xml(path_), notes_);
+    json all = read_lenient_json(path_, notes_);
+    may_lack_numbers_ = !notes_.empty();
+    return form == OsmForm::json && all.is_object() && all.contains("elements")
+               ? geojson_of(read_overpass(all, path_), notes_)
+               : all;
+  }
+
   [[noreturn]] void fail(const std::string& where, const std::string& found, const std::string& expected) const {
     throw MapError(path_ + ": " + (where.empty() ? "the document" : where) + ": " + found + ", expected " + expected);
   }
@@ -81,8 +99,8 @@ class Reader {
     return object.at(key);
   }
 
-  Feature feature_of(json& object, const std::string& where, std::size_t number, bool may_lack_numbers) {
-    const std::string found = may_lack_numbers ? take_no_number(object) : "";
+  Feature feature_of(json& object, const std::string& where, std::size_t number) {
+    const std::string found = may_lack_numbers_ ? take_no_number(object) : "";
     Feature made = feature(object, where, number);
     if (!found.empty()) made.damage = path_ + ": " + where + found + ", expected a number";
     return made;
@@ -207,10 +225,13 @@ class Reader {
     }
   }
 
-  Ring ring(const json& coordinates, const std::string& where) const {
-    Ring ring = positions(coordinates, where, 4);
-    if (ring.front() != ring.back()) fail(where, "a ring whose last position is not its first", "a closed ring");
-    ring.pop_back();
+  Ring ring(const json& coordinates, const std::string& where) {
+    const bool is_open = coordinates.is_array() && coordinates.size() > 2 && coordinates.front() != coordinates.back();
+    Ring ring = positions(coordinates, where, is_open ? 3 : 4);
+    if (is_open)
+      ++open_rings_;
+    else
+      ring.pop_back();
     return ring;
   }
 
@@ -234,6 +255,8 @@ class Reader {
   const std::string& path_;
   std::set<std::string> ids_;
   int repeated_ids_ = 0;
+  bool may_lack_numbers_ = false;
+  int open_rings_ = 0;
   std::vector<std::string> notes_;
 };
 

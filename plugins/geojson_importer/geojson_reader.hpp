@@ -37,6 +37,8 @@ struct Feature {
   nlohmann::json properties = nlohmann::json::object();
   Shapes shapes;
   std::string damage;                    ///< a whole message, if it is damaged: a map must not be made of it
+  std::string type = {};                 ///< what becomes of it: an object type, kLeaveOut, or nothing
+  std::string said_by = {};              ///< "room=toilets", if words of it say the type and no rule; else empty
   bool is_used = false;                  ///< something becomes of it on some level
   std::vector<std::string> levels = {};  ///< as find_levels() has them; none: it does not say, and is on all of them
 };

@@ -40,11 +40,12 @@ std::string written(double level) {
   return text.str();
 }
 
-/// "1", "-1-2"; what is neither is a name.
+/// "1", "-1-2", also from above: "-1--3"; what is none of these is a name.
 void add_levels(const std::string& part, std::vector<std::string>& levels) {
   const std::size_t dash = part.find('-', 1);
-  const auto from = number(part.substr(0, dash));
-  const auto to = dash == std::string::npos ? from : number(part.substr(dash + 1));
+  auto from = number(part.substr(0, dash));
+  auto to = dash == std::string::npos ? from : number(part.substr(dash + 1));
+  if (from && to && *from > *to) std::swap(from, to);
   if (from && to && *from <= *to && *to - *from < kMostLevels)
     for (int k = 0; *from + k <= *to; ++k) levels.push_back(written(*from + k));
   else if (!part.empty())

@@ -3,6 +3,7 @@
 #include "local_projection.hpp"
 
 #include <opal/common/error.hpp>
+#include <opal/import_kit/far_origin.hpp>
 #include <opal/import_kit/length_unit.hpp>
 
 #include <fmt/format.h>
@@ -45,6 +46,11 @@ struct Bounds {
   double size() const { return (high - low).maxCoeff(); }
   Point middle() const { return (low + high) / 2; }
   bool is_on_earth() const { return low.x() >= -180 && high.x() <= 180 && low.y() >= -90 && high.y() <= 90; }
+  /// Latitude before longitude, east of 90 degrees east or west of 90 degrees west: as metres, it would be no building.
+  bool looks_swapped() const {
+    const Bounds swapped{Point(low.y(), low.x()), Point(high.y(), high.x())};
+    return !is_empty() && !is_on_earth() && swapped.is_on_earth() && size() < kGeographicExtent;
+  }
   bool looks_like_degrees() const { return !is_empty() && is_on_earth() && size() < kGeographicExtent; }
 };
 
@@ -157,13 +163,25 @@ std::optional<Point> middle_deg(const PlacementOptions& options, FeatureCollecti
 std::vector<std::string> place(const std::string& path, const PlacementOptions& options,
                                FeatureCollection& collection) {
   std::vector<std::string> sentences;
+  if (options.is_geographic != false && bounds_of(collection, true).looks_swapped()) {
+    for (Feature& feature : collection.features)
+      visit_positions(feature.shapes, [](Point& p) { p = Point(p.y(), p.x()); });
+    sentences.push_back("doubtful: positions have the latitude first, and were turned around");
+  }
   if (is_in_degrees(options, collection, sentences)) {
     sentences.push_back(project(path, options, collection));
     return sentences;
   }
   const double metres_per_unit = options.unit.empty() ? 1 : length_unit_called(options.unit)->metres;
+  const Bounds bounds = building_of(collection);
+  Point origin_m = options.origin_m;
+  if (const Point far_m = origin_of_far_plan(metres_per_unit * bounds.low, metres_per_unit * bounds.high);
+      !bounds.is_empty() && origin_m.isZero() && !far_m.isZero()) {
+    origin_m = far_m;
+    sentences.push_back(sentence_about_far_origin(far_m));
+  }
   for (Feature& feature : collection.features)
-    visit_positions(feature.shapes, [&](Point& p) { p = metres_per_unit * p - options.origin_m; });
+    visit_positions(feature.shapes, [&](Point& p) { p = metres_per_unit * p - origin_m; });
   sentences.push_back(sentence_about_lengths(options, collection.crs));
   return sentences;
 }

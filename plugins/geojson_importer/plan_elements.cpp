@@ -1,10 +1,9 @@
 #include "plan_elements.hpp"
 
-#include "wide_walls.hpp"
-
 #include <opal/common/error.hpp>
 #include <opal/import_kit/first_ids.hpp>
 #include <opal/import_kit/mean_thickness.hpp>
+#include <opal/import_kit/wide_walls.hpp>
 
 #include <fmt/format.h>
 
@@ -46,15 +45,15 @@ constexpr const char* kAreaOfDoor = "";
 }  // namespace
 
 void PlanElements::add(const Feature& feature, const FeatureClasses& classes) {
-  const std::optional<std::string> type = plan_.rules.class_of(classes.names);
-  if (!type) return leave_out(feature, classes, "no class for it", ImportStatus::left_out);
-  if (*type == ClassRules::kLeaveOut) return leave_out(feature, classes, "a rule says so", ImportStatus::left_out);
+  const std::string& type = feature.type;
+  if (type.empty()) return leave_out(feature, classes, "no class for it", ImportStatus::left_out);
+  if (type == ClassRules::kLeaveOut) return leave_out(feature, classes, "a rule says so", ImportStatus::left_out);
   if (!feature.damage.empty()) throw MapError(feature.damage);
   expect_near(feature);
-  if (const std::string trouble = use(feature, *type); !trouble.empty())
+  if (const std::string trouble = use(feature, type); !trouble.empty())
     return leave_out(feature, classes, trouble, ImportStatus::unreadable);
   names.insert(names.end(), classes.names.begin(), classes.names.end());
-  tally.count_used(classes.shown, *type, feature.geometry);
+  tally.count_used(classes.shown, type, feature.geometry);
   things.push_back({feature.id, classes.shown, feature.geometry});
 }
 
@@ -69,8 +68,9 @@ void PlanElements::leave_out(const Feature& feature, const FeatureClasses& class
 void PlanElements::expect_near(const Feature& feature) const {
   visit_positions(feature.shapes, [&](const Point& p) {
     if (!(p.cwiseAbs().maxCoeff() <= kFarthest_m))
-      throw MapError(fmt::format("{}: '{}': a position at {} {}, expected all within 1e6 m of the origin", source_,
-                                 feature.id, p.x(), p.y()));
+      throw MapError(fmt::format(
+          "{}: '{}': a position at {} {}, expected all within 1e6 m of the origin (options origin_x_m, origin_y_m)",
+          source_, feature.id, p.x(), p.y()));
   });
 }
 

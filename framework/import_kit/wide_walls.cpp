@@ -1,61 +1,63 @@
-#include "wide_walls.hpp"
+#include <opal/import_kit/wide_walls.hpp>
 
 #include <cmath>
 #include <map>
 #include <utility>
 
-namespace opal::geojson_importer {
+namespace opal {
 namespace {
 
 // Ends that are nearer are one place.
-constexpr double kSamePlace_m = 0.01;
+constexpr double kSameWidePlace_m = 0.01;
 // Pieces that turn back on each other have no corner: their faces would meet far away.
-constexpr double kSharpest = 0.3;
+constexpr double kSharpestWide = 0.3;
 
-struct End {
+struct WideEnd {
   std::size_t piece = 0;
   Point away = Point::Zero();  ///< from the end into the piece
 };
 
-using Place = std::pair<long long, long long>;
+using WidePlace = std::pair<long long, long long>;
 
-Place place_of(const Point& p) { return {std::llround(p.x() / kSamePlace_m), std::llround(p.y() / kSamePlace_m)}; }
+WidePlace wide_place_of(const Point& p) {
+  return {std::llround(p.x() / kSameWidePlace_m), std::llround(p.y() / kSameWidePlace_m)};
+}
 
-using EndsByPlace = std::map<Place, std::vector<End>>;
+using EndsByPlace = std::map<WidePlace, std::vector<WideEnd>>;
 
-EndsByPlace ends_of(const std::vector<WidePiece>& pieces) {
+EndsByPlace wide_ends_of(const std::vector<WidePiece>& pieces) {
   EndsByPlace ends;
   for (std::size_t k = 0; k < pieces.size(); ++k) {
     const Segment& middle = pieces[k].middle;
-    ends[place_of(middle.begin)].push_back({k, middle.direction()});
-    ends[place_of(middle.end)].push_back({k, -middle.direction()});
+    ends[wide_place_of(middle.begin)].push_back({k, middle.direction()});
+    ends[wide_place_of(middle.end)].push_back({k, -middle.direction()});
   }
   return ends;
 }
 
 /// From the middle of an end to the corner on the left of someone who comes out of the piece there.
 /// @param out  direction of the piece, out of the end
-Point to_corner(const Point& out, double half_m, bool on_left, std::size_t piece, const std::vector<End>& here) {
+Point to_corner(const Point& out, double half_m, bool on_left, std::size_t piece, const std::vector<WideEnd>& here) {
   const double side = on_left ? 1 : -1;
   const Point square = side * half_m * left_of(out);
   if (here.size() < 2) return square;
   if (here.size() > 2) return square + half_m * out;
   const Point on = (here.front().piece == piece ? here.back() : here.front()).away;  // how the other piece goes on
-  if (1 + out.dot(on) < kSharpest) return square + half_m * out;
+  if (1 + out.dot(on) < kSharpestWide) return square + half_m * out;
   return side * half_m * (left_of(out) + left_of(on)) / (1 + out.dot(on));
 }
 
 }  // namespace
 
 std::vector<std::vector<Point>> widened(const std::vector<WidePiece>& pieces) {
-  const EndsByPlace ends = ends_of(pieces);
+  const EndsByPlace ends = wide_ends_of(pieces);
   std::vector<std::vector<Point>> outlines;
   for (std::size_t k = 0; k < pieces.size(); ++k) {
     const Segment& middle = pieces[k].middle;
     const double half_m = pieces[k].width_m / 2;
     const Point along = middle.direction();
     const auto corner = [&](const Point& end, const Point& out, bool on_left) -> Point {
-      return end + to_corner(out, half_m, on_left, k, ends.at(place_of(end)));
+      return end + to_corner(out, half_m, on_left, k, ends.at(wide_place_of(end)));
     };
     outlines.push_back({corner(middle.begin, -along, true), corner(middle.end, along, false),
                         corner(middle.end, along, true), corner(middle.begin, -along, false)});
@@ -63,4 +65,4 @@ std::vector<std::vector<Point>> widened(const std::vector<WidePiece>& pieces) {
   return outlines;
 }
 
-}  // namespace opal::geojson_importer
+}  // namespace opal
