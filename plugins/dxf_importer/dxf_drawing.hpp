@@ -22,6 +22,7 @@ struct DxfVertex {
 struct DxfPath {
   std::vector<DxfVertex> vertices;
   bool closed = false;
+  double width = 0;  ///< with which it is drawn; 0: as thin as can be, or not everywhere the same
 };
 
 struct DxfArc {
@@ -70,7 +71,6 @@ struct DxfEntity {
   std::string layer;
   bool is_in_paper_space = false;
   bool is_hidden = false;  ///< as those states of a dynamic block that are not chosen
-  bool has_width = false;
   /// A whole message, if its record is damaged: a map must not be made of it. An INSERT still names its block.
   std::string damage;
   std::string trouble;  ///< why there is no shape, if there should be one
@@ -93,6 +93,7 @@ struct DxfDrawing {
   std::vector<std::string> repeated_blocks;  ///< "CHAIR (line 184)": the first block of this name counts
   int clips = 0;                             ///< that show a part of a block; the block is here whole
   int lines_after_end = 0;
+  bool lacks_end = false;  ///< the record EOF is missing, after the whole section ENTITIES
 };
 
 /// @throws MapError "PATH:LINE: what was found, what was expected".

@@ -1,8 +1,7 @@
 #pragma once
 
 #include "block_expansion.hpp"
-#include "layer_classes.hpp"
-#include "shapes.hpp"
+#include "entity_sorting.hpp"
 #include "unit.hpp"
 
 #include <opal/import_kit/plan_import.hpp>
@@ -24,6 +23,8 @@ class DxfImporter final : public MapImporter {
   /// @throws MapError if the drawing says no unit, and no layer of it gives anything.
   void expect_classes(const std::string& path, const DxfDrawing& drawing,
                       const std::vector<PlacedEntity>& entities) const;
+  EntitySorting sorted(const DxfDrawing& drawing, const std::vector<PlacedEntity>& entities,
+                       const ShapeOptions& shape) const;
   LengthUnit unit_of(const std::string& path, const DxfDrawing& drawing) const;
 
   PlanImportOptions plan_;

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numbers>
 #include <set>
@@ -50,6 +51,24 @@ void apply_extrusion(const DxfRecord& record, DxfEntity& entity) {
   }
 }
 
+/// Of a polyline; 0 if it is not the same everywhere. Each vertex may say how wide the line begins and ends there.
+double width_of(const DxfEntityRecords& records) {
+  const DxfRecord& head = records.head;
+  if (head.type != "LWPOLYLINE" && head.type != "POLYLINE") return 0;
+  if (const DxfPair* constant = head.find(43); constant != nullptr) return std::max(0.0, constant->real());
+  double least = std::numeric_limits<double>::max(), most = 0;
+  const auto take = [&](const DxfRecord& record) {
+    for (const DxfPair& pair : record.pairs)
+      if (pair.code == 40 || pair.code == 41) {
+        least = std::min(least, pair.real());
+        most = std::max(most, pair.real());
+      }
+  };
+  take(head);
+  for (const DxfRecord& part : records.parts) take(part);
+  return least < most ? 0 : most;
+}
+
 class Reader {
  public:
   explicit Reader(const std::string& path) : path_(path), scan_(scan_dxf(path)) {}
@@ -59,6 +78,7 @@ class Reader {
     drawing_.layers = scan_.layers;
     drawing_.clips = scan_.clips;
     drawing_.lines_after_end = scan_.lines_after_end;
+    drawing_.lacks_end = scan_.lacks_end;
     drawing_.entities = entities(scan_.entities);
     read_blocks();
     return std::move(drawing_);
@@ -148,9 +168,7 @@ class Reader {
   /// @param is_open  the records that belong to it end without SEQEND.
   DxfEntity read(const DxfEntityRecords& records, bool is_open) {
     const DxfRecord& head = records.head;
-    DxfEntity entity{head.type, id_of(head), head.text(8, "0"), head.text(67) == "1", head.text(60) == "1", false, "",
-                     "",        {}};
-    entity.has_width = head.real(43, 0) > 0 || (head.type == "POLYLINE" && head.real(40, 0) > 0);
+    DxfEntity entity{head.type, id_of(head), head.text(8, "0"), head.text(67) == "1", head.text(60) == "1", "", "", {}};
     if (!is_understood(head.type)) return entity;
     if (head.type == "POLYLINE" && (flags_of(head) & kThreeDimensionalMesh) != 0) {
       entity.trouble = "a mesh in space";
@@ -171,6 +189,7 @@ class Reader {
     const DxfRecord& head = records.head;
     check_records(path_, records);
     entity.shape = is_curve(head.type) ? read_curve(head, entity.trouble) : read_shape(path_, records, entity.trouble);
+    if (auto* line = std::get_if<DxfPath>(&entity.shape)) line->width = width_of(records);
     apply_extrusion(head, entity);
     if (!entity.trouble.empty()) entity.shape = std::monostate();
   }

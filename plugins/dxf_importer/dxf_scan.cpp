@@ -83,6 +83,8 @@ class Pairs {
     return pair;
   }
 
+  bool is_at_end() const { return at_ >= text_.size(); }
+
   /// Lines from here on that are not blank.
   int lines_left() {
     int lines = 0;
@@ -147,7 +149,16 @@ class Scanner {
     } else {
       blocks(std::move(records));
     }
-    advance();
+    advance_over_end();
+  }
+
+  /// After a section; where the file ends there, and the entities are whole, nothing of the plan is missing.
+  void advance_over_end() {
+    scan_.lacks_end = has_entities_ && pairs_.is_at_end();
+    if (scan_.lacks_end)
+      pair_ = {0, "EOF", pair_.line};
+    else
+      advance();
   }
 
   void expect_inside(const std::string& name) const {
@@ -162,7 +173,7 @@ class Scanner {
       if (pair_.code == 0) is_clip = name == "OBJECTS" && pair_.value == "SPATIAL_FILTER";
       scan_.clips += is_clip && pair_.code == kClipIsOn && pair_.value == "1";
     }
-    advance();
+    advance_over_end();
   }
 
   /// Up to the section's end.

@@ -34,13 +34,14 @@ struct DxfLayer {
 };
 
 /// A DXF file as records. Nothing in it has been understood yet, but it is whole: every section and block is closed,
-/// and the record EOF is there.
+/// and the record EOF is there, or the file ends after a section.
 struct DxfScan {
   std::optional<int> insunits;  ///< header variable $INSUNITS
   std::map<std::string, DxfLayer> layers;
   std::vector<DxfRecord> blocks;    ///< of the section BLOCKS: BLOCK, entities, ENDBLK, ...
   std::vector<DxfRecord> entities;  ///< of the section ENTITIES
   int clips = 0;                    ///< by which parts of blocks are shown (XCLIP)
+  bool lacks_end = false;           ///< the record EOF is missing, and the section ENTITIES is whole
   int lines_after_end = 0;          ///< lines after EOF, where the drawing ends: nobody reads them
 };
 

@@ -9,6 +9,7 @@
 #include <dxflib/dl_creationadapter.h>
 #include <dxflib/dl_dxf.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <sstream>
@@ -17,6 +18,8 @@ namespace opal::dxf_importer {
 namespace {
 
 constexpr double kDegree_rad = radians(1);
+// Of a face: how much more level than upright it is, or the other way round.
+constexpr double kLevel = 100;
 constexpr int kClosed = 1, kFitted = 2 | 4, kFrameVertex = 16;
 
 /// What dxflib says about one entity.
@@ -40,6 +43,7 @@ class EntityListener final : public DL_CreationAdapter {
   }
   void addSolid(const DL_SolidData& d) override { take_filled(d); }
   void addTrace(const DL_TraceData& d) override { take_filled(d); }
+  void add3dFace(const DL_3dFaceData& d) override { take(shape_of_face(d)); }
   void addHatch(const DL_HatchData&) override { take(DxfFill{}); }
   /// Before the loop of a polyline, dxflib names an empty one.
   void addHatchLoop(const DL_HatchLoopData& d) override {
@@ -81,6 +85,26 @@ class EntityListener final : public DL_CreationAdapter {
   /// The third and fourth corner stand crosswise.
   void take_filled(const DL_SolidData& d) {
     take(DxfFill{{{{{d.x[0], d.y[0]}, 0}, {{d.x[1], d.y[1]}, 0}, {{d.x[3], d.y[3]}, 0}, {{d.x[2], d.y[2]}, 0}}}});
+  }
+  /// A level face is filled, an upright one is the line on which it stands. Of a tilted one nothing is made.
+  static DxfShape shape_of_face(const DL_3dFaceData& d) {
+    std::vector<Eigen::Vector3d> corners;
+    for (int k = 0; k < 4; ++k) corners.emplace_back(d.x[k], d.y[k], d.z[k]);
+    const Eigen::Vector3d normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]) +
+                                   (corners[2] - corners[0]).cross(corners[3] - corners[0]);
+    const double level = std::abs(normal.z()), upright = normal.head<2>().norm();
+    if (level > kLevel * upright) {
+      std::vector<DxfVertex> loop;
+      for (const Eigen::Vector3d& corner : corners) loop.push_back({corner.head<2>(), 0});
+      return DxfFill{{std::move(loop)}};
+    }
+    if (upright < kLevel * level) return std::monostate();
+    const Point along = left_of(normal.head<2>().normalized());
+    const auto nearer = [&](const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+      return along.dot(a.head<2>()) < along.dot(b.head<2>());
+    };
+    const auto [first, last] = std::minmax_element(corners.begin(), corners.end(), nearer);
+    return DxfPath{{{first->head<2>(), 0}, {last->head<2>(), 0}}, false};
   }
   /// dxflib gives angles in radians; of a clockwise arc they are mirrored.
   static BoundaryEdge arc_edge(const DL_HatchEdgeData& d) {
@@ -125,6 +149,8 @@ DxfShape read_shape(const std::string& path, const DxfEntityRecords& entity, std
     throw MapError(
         fmt::format("{}:{}: HATCH: its boundary is incomplete, expected {} loops (code 91) of vertices with x and y",
                     path, entity.head.line, entity.head.text(91)));
+  if (entity.head.type == "3DFACE" && std::holds_alternative<std::monostate>(listener.shape))
+    trouble = "it is a tilted face";
   if (listener.has_curves) trouble = "its boundary has elliptic arcs or splines";
   if (auto* loops = std::get_if<DxfFill>(&listener.shape)) close_loops(listener.edges, *loops);
   return std::move(listener.shape);

@@ -27,10 +27,11 @@ constexpr std::array kWindows{"*-GLAZ*",  "*WINDOW*",  "GLAZ*",     "*FENSTER*",
 constexpr std::array kLeftOut{"*STEM-WALL*",  "*-WALL-HEAD*", "*-WALL-CNTR*", "*-WALL-IDEN*", "*-WALL-ABOV*",
                               "*-COLS-GRID*", "*-COLS-IDEN*", "*-DOOR-IDEN*", "*-GLAZ-IDEN*"};
 // These words say more about a layer than "wall" or "column" beside them.
-constexpr std::array kNoParts{"*GRID*",    "*RASTER*",   "*AXE*",        "*AXIS*",      "ACHS*",       "*-ACHS*",
-                              "*_ACHS*",   "* ACHS*",    "*ACHSE",       "*ACHSEN*",    "*TAG",        "*TAGS",
-                              "*SCHRAFF*", "*CABINET*",  "*WALLPAPER*",  "*LEGEND*",    "*DEMO",       "*DEMOL*",
-                              "*ABBRUCH*", "*WANDSCHR*", "*WANDLEUCHT*", "*WANDBELAG*", "*WANDVERKL*", "*WANDERWEG*"};
+constexpr std::array kNoParts{
+    "*GRID*",      "*RASTER*",   "*AXE*",        "*AXIS*",      "ACHS*",         "*-ACHS*",       "*_ACHS*",
+    "* ACHS*",     "*ACHSE",     "*ACHSEN*",     "*TAG",        "*TAGS",         "*SCHRAFF*",     "*CABINET*",
+    "*WALLPAPER*", "*LEGEND*",   "*DEMO",        "*DEMOL*",     "*CENTER LINE*", "*CENTRE LINE*", "*CENTER_LINE*",
+    "*ABBRUCH*",   "*WANDSCHR*", "*WANDLEUCHT*", "*WANDBELAG*", "*WANDVERKL*",   "*WANDERWEG*"};
 // Inside of other words these mean something else: "ETAGE", "DEMOUNTABLE".
 constexpr std::array<std::string_view, 3> kNoPartWords{"TAG", "TAGS", "DEMO"};
 // AIA layer names begin with a discipline, here electrical, mechanical and plumbing, and four letters: "E-POWR-WALL".

@@ -10,27 +10,42 @@
 namespace opal::dxf_importer {
 namespace {
 
-// Whole words, in upper case: French, Spanish, Portuguese and Italian, German and Dutch, the languages of the North,
-// Polish, Czech, Hungarian, Turkish, Russian and Ukrainian, Hebrew.
+// Whole words, in upper case: English, French, Spanish, Portuguese and Italian, German and Dutch, the languages of the
+// North, Polish, Czech, Slovak, Croatian and Serbian, Romanian, Hungarian, Turkish, Greek, Russian and Ukrainian,
+// Hebrew, Arabic and Persian, Vietnamese, Indonesian. TABI, PARE and ALVE are what four letters leave of Spanish and
+// Portuguese ones.
 constexpr std::string_view kWallWords[] = {
-    "MUR",       "MURS",    "MURO",   "MUROS",    "MURI",     "MURATURA",    "MURATURE",    "PARETE",     "PARETI",
-    "PARED",     "PAREDES", "PAREDE", "TRAMEZZO", "TRAMEZZI", "TABIQUE",     "TABIQUES",    "CLOISON",    "CLOISONS",
-    "ALVENARIA", "WAND",    "WÄNDE",  "WAENDE",   "MAUER",    "MAUERN",      "MAUERWERK",   "TRENNWÄNDE", "MUREN",
-    "MUUR",      "VÄGG",    "VÄGGAR", "VEGG",     "VEGGER",   "VÆG",         "VÆGGE",       "SEINÄ",      "SEINÄT",
-    "ŚCIANA",    "ŚCIANY",  "SCIANY", "STĚNA",    "STĚNY",    "STENY",       "ZDIVO",       "FALAK",      "DUVAR",
-    "DUVARLAR",  "СТЕНА",   "СТЕНЫ",  "СТЕН",     "СТІНИ",    "ПЕРЕГОРОДКА", "ПЕРЕГОРОДКИ", "קיר",        "קירות"};
+    "WALL",        "WALLS",       "OUTERWALL",   "INNERWALL",   "EXTWALL",    "INTWALL",    "SHEARWALL",  "DRYWALL",
+    "MASONRY",     "BRICKWORK",   "PARTITION",   "PARTITIONS",  "MUR",        "MURS",       "MURO",       "MUROS",
+    "MURI",        "MURATURA",    "MURATURE",    "PARETE",      "PARETI",     "PARED",      "PAREDES",    "PAREDE",
+    "TRAMEZZO",    "TRAMEZZI",    "TRAMEZZE",    "TABIQUE",     "TABIQUES",   "TABIQUERIA", "TABIQUERÍA", "TABI",
+    "PARE",        "ALVE",        "ALVENARIA",   "CLOISON",     "CLOISONS",   "REFEND",     "REFENDS",    "MAÇONNERIE",
+    "MACONNERIE",  "WAND",        "WÄNDE",       "WAENDE",      "MAUER",      "MAUERN",     "MAUERWERK",  "TROCKENBAU",
+    "TRENNWÄNDE",  "MUREN",       "MUUR",        "BINNENMUUR",  "BUITENMUUR", "METSELWERK", "VÄGG",       "VÄGGAR",
+    "INNERVÄGG",   "YTTERVÄGG",   "INNERVÄGGAR", "YTTERVÄGGAR", "VEGG",       "VEGGER",     "YTTERVEGG",  "INNERVEGG",
+    "YTTERVEGGER", "INNERVEGGER", "VÆG",         "VÆGGE",       "YDERVÆG",    "INDERVÆG",   "YDERVÆGGE",  "INDERVÆGGE",
+    "SEINÄ",       "SEINÄT",      "ULKOSEINÄ",   "ULKOSEINÄT",  "VÄLISEINÄ",  "VÄLISEINÄT", "ŚCIANA",     "ŚCIANY",
+    "SCIANA",      "SCIANY",      "MURY",        "STĚNA",       "STĚNY",      "STENY",      "STENA",      "STENE",
+    "ZDIVO",       "ZDI",         "ZEĎ",         "PŘÍČKA",      "PŘÍČKY",     "PRICKY",     "ZID",        "ZIDOVI",
+    "ZIDURI",      "PERETE",      "PEREȚI",      "PERETI",      "FALAK",      "DUVAR",      "DUVARLAR",   "ΤΟΙΧΟΣ",
+    "ΤΟΙΧΟΙ",      "ΤΟΙΧΟΠΟΙΙΑ",  "СТЕНА",       "СТЕНЫ",       "СТЕН",       "СТЕНИ",      "СТІНИ",      "ПЕРЕГОРОДКА",
+    "ПЕРЕГОРОДКИ", "קיר",         "קירות",       "جدار",        "جدران",      "حائط",       "دیوار",      "TƯỜNG",
+    "TUONG",       "DINDING",     "TEMBOK"};
 constexpr std::string_view kColumnWords[] = {
-    "POTEAU",  "POTEAUX",  "PILAR",   "PILARES", "PILASTRO", "PILASTRI", "COLONNA", "COLONNE", "STÜTZE",
-    "STÜTZEN", "STUETZEN", "PELARE",  "SØYLER",  "SŁUP",     "SŁUPY",    "SLUPY",   "SLOUPY",  "OSZLOP",
-    "KOLON",   "KOLONLAR", "КОЛОННА", "КОЛОННЫ", "КОЛОНИ",   "עמוד",     "עמודים"};
-constexpr std::string_view kDoorWords[] = {"PORTE", "PORTES", "PORTA",  "PORTAS", "PUERTA",  "PUERTAS", "TÜR",
-                                           "TÜREN", "TUEREN", "DEUREN", "DÖRR",   "DÖRRAR",  "DØRER",   "OVET",
-                                           "DRZWI", "DVEŘE",  "AJTÓK",  "KAPI",   "KAPILAR", "ДВЕРЬ",   "ДВЕРИ",
-                                           "ДВЕРІ", "문",     "דלת",    "דלתות"};
+    "COLS",     "PILLAR",  "PILLARS", "POTEAU",   "POTEAUX", "PILAR",   "PILARES", "PILASTRO", "PILASTRI", "COLONNA",
+    "COLONNE",  "STÜTZE",  "STÜTZEN", "STUETZEN", "SÄULE",   "SÄULEN",  "SAEULEN", "PFEILER",  "PELARE",   "SØYLER",
+    "SŁUP",     "SŁUPY",   "SLUPY",   "SLOUPY",   "STUPOVI", "STUBOVI", "STÂLPI",  "STALPI",   "OSZLOP",   "KOLON",
+    "KOLONLAR", "КОЛОННА", "КОЛОННЫ", "КОЛОНИ",   "עמוד",    "עמודים",  "عمود",    "ستون",     "CỘT"};
+constexpr std::string_view kDoorWords[] = {
+    "DOOR",  "DOORS",  "PORTE", "PORTES", "PORTA", "PORTAS", "PUERTA", "PUERTAS", "TÜR",   "TÜREN", "TUEREN",  "DEUREN",
+    "DÖRR",  "DÖRRAR", "DØRER", "OVET",   "DRZWI", "DVEŘE",  "VRATA",  "UȘI",     "AJTÓK", "KAPI",  "KAPILAR", "ΠΟΡΤΕΣ",
+    "ДВЕРЬ", "ДВЕРИ",  "ДВЕРІ", "문",     "דלת",   "דלתות",  "باب",    "درب",     "CỬA",   "PINTU"};
 constexpr std::string_view kWindowWords[] = {
-    "FENÊTRE",  "FENÊTRES", "FENETRE",    "FENETRES", "VITRAGE", "VITRAGES", "VENTANA", "VENTANAS", "JANELA", "JANELAS",
-    "FINESTRA", "FINESTRE", "SERRAMENTI", "INFISSI",  "FENSTER", "FÖNSTER",  "VINDUER", "IKKUNAT",  "OKNO",   "OKNA",
-    "ABLAKOK",  "PENCERE",  "PENCERELER", "ОКНО",     "ОКНА",    "ВІКНА",    "창",      "חלון",     "חלונות"};
+    "WINDOW",   "WINDOWS",    "CURTAIN",  "GLASS",   "GLAZING",  "FENÊTRE",    "FENÊTRES", "FENETRE",
+    "FENETRES", "VITRAGE",    "VITRAGES", "VENTANA", "VENTANAS", "JANELA",     "JANELAS",  "FINESTRA",
+    "FINESTRE", "SERRAMENTI", "INFISSI",  "FENSTER", "FÖNSTER",  "VINDUER",    "IKKUNAT",  "OKNO",
+    "OKNA",     "PROZORI",    "FERESTRE", "ABLAKOK", "PENCERE",  "PENCERELER", "ΠΑΡΑΘΥΡΑ", "ОКНО",
+    "ОКНА",     "ВІКНА",      "창",       "חלון",    "חלונות",   "نافذة",      "پنجره",    "JENDELA"};
 // Chinese, Japanese and Korean words stand beside each other without a gap.
 constexpr std::string_view kWallSigns[] = {"墙", "牆", "壁", "間仕切", "벽"};
 constexpr std::string_view kColumnSigns[] = {"柱", "기둥"};
@@ -38,12 +53,13 @@ constexpr std::string_view kDoorSigns[] = {"门", "門", "扉", "建具"};
 constexpr std::string_view kWindowSigns[] = {"窗", "窓", "幕墙", "幕牆", "玻璃", "창호", "유리", "ガラス"};
 
 constexpr std::string_view kWordsOfNoPart[] = {
-    "TEXT",     "TEXTS",      "TXT",      "TEXTE",     "TEXTES",     "TEXTO",   "TEXTOS",  "TESTI",
-    "DIM",      "DIMS",       "QUOTE",    "QUOTA",     "COTA",       "COTAS",   "COTE",    "COTES",
-    "COTATION", "BEMASSUNG",  "BEMAẞUNG", "PROSPETTO", "PROSPETTI",  "SEZIONE", "SEZIONI", "ARREDO",
-    "ARREDI",   "ATTREZZATA", "MOBILIER", "MUEBLES",   "MOBILIARIO", "MÖBEL",   "MOEBEL",  "EJE",
-    "EJES",     "EIXO",       "EIXOS",    "ASSE",      "ASSI",       "OSIE",    "OSY",     "ОСЬ",
-    "ОСИ",      "ОСІ",        "РАЗМЕРЫ",  "ТЕКСТ",     "МЕБЕЛЬ",     "МЕБЛІ",   "ДЕМОНТАЖ"};
+    "CENTERLINE", "CENTRELINE", "CENTERLINES", "CENTRELINES", "CNTR",    "OVERHEAD", "TEXT",     "TEXTS",
+    "TXT",        "TEXTE",      "TEXTES",      "TEXTO",       "TEXTOS",  "TESTI",    "DIM",      "DIMS",
+    "QUOTE",      "QUOTA",      "COTA",        "COTAS",       "COTE",    "COTES",    "COTATION", "BEMASSUNG",
+    "BEMAẞUNG",   "PROSPETTO",  "PROSPETTI",   "SEZIONE",     "SEZIONI", "ARREDO",   "ARREDI",   "ATTREZZATA",
+    "MOBILIER",   "MUEBLES",    "MOBILIARIO",  "MÖBEL",       "MOEBEL",  "EJE",      "EJES",     "EIXO",
+    "EIXOS",      "ASSE",       "ASSI",        "OSIE",        "OSY",     "ОСЬ",      "ОСИ",      "ОСІ",
+    "РАЗМЕРЫ",    "ТЕКСТ",      "МЕБЕЛЬ",      "МЕБЛІ",       "ДЕМОНТАЖ"};
 // Centre lines, axes, dimensions, texts, furniture, wallpaper, tiles, what is to be demolished.
 constexpr std::string_view kSignsOfNoPart[] = {"芯",   "中心", "壁心", "柱心", "轴",   "軸",   "尺寸", "寸法",
                                                "标注", "文字", "家具", "壁纸", "壁紙", "墙纸", "墙砖", "벽지",

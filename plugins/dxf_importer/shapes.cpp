@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace opal::dxf_importer {
 namespace {
@@ -26,6 +27,8 @@ class Drawer {
   std::string operator()(const DxfInsert&) { return "it is not in model space"; }
 
   std::string operator()(const DxfPath& path) {
+    if (is_similarity_) shapes_.width_m = path.width * scale_;
+    if (const auto circle = ring_of(path)) return (*this)(*circle);
     add_line(moved(flattened(path.vertices, path.closed)), path.closed);
     return path.vertices.size() < 2 ? "it has fewer than two vertices" : "";
   }
@@ -92,6 +95,15 @@ class Drawer {
   }
 
  private:
+  /// Two half circles, as DONUT draws them.
+  static std::optional<Circle> ring_of(const DxfPath& path) {
+    if (!path.closed || path.vertices.size() != 2) return std::nullopt;
+    const DxfVertex &a = path.vertices.front(), &b = path.vertices.back();
+    if (std::abs(std::abs(a.bulge) - 1) > kStraightBulge || std::abs(a.bulge - b.bulge) > kStraightBulge)
+      return std::nullopt;
+    return Circle{(a.position + b.position) / 2, (b.position - a.position).norm() / 2};
+  }
+
   std::vector<Point> arc(const Circle& circle, double from_rad, double sweep_rad) const {
     return arc_points(circle, from_rad, sweep_rad, options_.chord_tolerance_m / scale_);
   }

@@ -21,8 +21,9 @@ struct ShapeOptions {
 struct Shapes {
   std::vector<PlanLine> lines;
   std::vector<Circle> circles;
-  int refitted = 0;  ///< circles that were drawn as closed lines
-  int chorded = 0;   ///< arcs and circles that are short straight lines now
+  int refitted = 0;    ///< circles that were drawn as closed lines
+  int chorded = 0;     ///< arcs and circles that are short straight lines now
+  double width_m = 0;  ///< with which a polyline was drawn; 0: with none
 };
 
 /// @param closed_sides  what a closed line is the outline of.

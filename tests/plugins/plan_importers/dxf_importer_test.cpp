@@ -57,12 +57,12 @@ TEST_CASE("the unit is the drawing's, or that of the option, or asked for") {
 
 TEST_CASE("layers become classes by rules; what no rule knows is named") {
   DxfText dxf(6);
-  dxf.box("Innenwand", 0, 0, 5, 0.2).circle("PFEILER", {3, 3}, 0.2).line("A-WALL-CNTR", {0, 0.1}, {5, 0.1});
+  dxf.box("Innenwand", 0, 0, 5, 0.2).circle("RUNDLINGE", {3, 3}, 0.2).line("A-WALL-CNTR", {0, 0.1}, {5, 0.1});
   CHECK_THROWS_WITH(import_dxf(dxf.text(), {{"classes", {{"*wand", "leave_out"}}}}),
                     Contains("no layer gives anything") && Contains("'Innenwand' (1 LWPOLYLINE)") &&
-                        Contains("'PFEILER' (1 CIRCLE)"));
+                        Contains("'RUNDLINGE' (1 CIRCLE)"));
   const MapImport plan =
-      import_dxf(dxf.text(), {{"classes", {{"innen*", "Wall"}, {"PFEILER", "opal:Column"}, {"NOTHING*", "Wall"}}}});
+      import_dxf(dxf.text(), {{"classes", {{"innen*", "Wall"}, {"RUNDLINGE", "opal:Column"}, {"NOTHING*", "Wall"}}}});
   CHECK(all<Circle>(*plan.map).size() == 1);
   CHECK(all<Segment>(*plan.map).size() == 4);
   CHECK(says(plan, "no layer is called 'NOTHING*'"));
@@ -262,7 +262,7 @@ TEST_CASE("a file that is damaged is refused with the line") {
     return text.replace(text.rfind(from), from.size(), to);
   };
   CHECK_THROWS_WITH(import_dxf(""), Contains("plan.dxf: is empty"));
-  CHECK_THROWS_WITH(import_dxf(with("0\nEOF\n", "")), Contains("cut off"));
+  CHECK_THROWS_WITH(import_dxf(with("0\nENDSEC\n0\nEOF\n", "")), Contains("cut off"));
   CHECK_THROWS_WITH(import_dxf(with("0\nENDSEC\n0\nEOF\n", "0\nEOF\n")), Contains("has no end, expected 0 ENDSEC"));
   CHECK_THROWS_WITH(import_dxf(with("21\n3\n", "")), Contains("LINE: no code 21, expected one"));
   CHECK_THROWS_WITH(import_dxf(with("21\n3\n", "21\nnan\n")), Contains("\"nan\" for code 21, expected a number"));
@@ -282,6 +282,12 @@ TEST_CASE("a file that is damaged is refused with the line") {
 TEST_CASE("the origin option moves a plan that is drawn far away") {
   DxfText dxf(6);
   dxf.box("A-WALL", 5000000, 4000000, 5000005, 4000000.2);
-  CHECK_THROWS_WITH(import_dxf(dxf.text()), Contains("within 1e6 m of the origin"));
-  CHECK(has_face(*import_dxf(dxf.text(), {{"origin_x_m", 5000000}, {"origin_y_m", 4000000}}).map, {5, 0}, {0, 0}));
+  const MapImport rounded = import_dxf(dxf.text());
+  CHECK(says(rounded, "the map's origin is at 5000000, 4000000 m of the plan (--set origin_x_m and origin_y_m"));
+  CHECK(has_face(*rounded.map, {5, 0}, {0, 0}));
+  CHECK_THROWS_WITH(import_dxf(dxf.text(), {{"origin_x_m", 1}}), Contains("within 1e6 m of the origin"));
+  CHECK_THROWS_WITH(import_dxf(dxf.box("A-WALL", 0, 0, 5, 0.2).text()), Contains("within 1e6 m of the origin"));
+  DxfText far(6);
+  far.box("A-WALL", 5000000, 4000000, 5000005, 4000000.2);
+  CHECK(has_face(*import_dxf(far.text(), {{"origin_x_m", 5000000}, {"origin_y_m", 4000000}}).map, {5, 0}, {0, 0}));
 }
