@@ -1,6 +1,7 @@
 #include "grey_image.hpp"
 
 #include "bmp.hpp"
+#include "jpeg.hpp"
 #include "netpbm.hpp"
 
 #include <opal/common/error.hpp>
@@ -74,10 +75,13 @@ GreyImage decode_image(const std::string& bytes, const std::string& name) {
   if (bytes.size() > 2 && bytes[0] == 'P' && bytes[1] >= '1' && bytes[1] <= '6') return read_netpbm(bytes, name);
   if (bytes.starts_with("\x89PNG")) return read_png(bytes, name);
   if (bytes.starts_with("BM")) return read_bmp(bytes, name);
-  if (bytes.starts_with("\xFF\xD8"))
-    throw MapError(name + ": is a JPEG, which blurs the borders of cells, expected a PNG, PGM, PPM or BMP image");
+  if (bytes.starts_with("\xFF\xD8")) return read_jpeg(bytes, name);
+  if (bytes.starts_with("version https://git-lfs"))
+    throw MapError(name + ": is a pointer of Git LFS, expected the image itself (git lfs pull fetches it)");
   throw MapError(
-      name + ": byte 0: neither \"P1\" to \"P6\", \"BM\" nor a PNG signature, expected a PNG, PGM, PPM or BMP image");
+      name +
+      ": byte 0: neither \"P1\" to \"P6\", \"BM\" nor a PNG or JPEG signature, expected a PNG, PGM, PPM, BMP or "
+      "JPEG image");
 }
 
 }  // namespace opal::grid_importer

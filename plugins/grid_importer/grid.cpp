@@ -1,6 +1,7 @@
 #include "grid.hpp"
 
 #include <opal/common/error.hpp>
+#include <opal/common/letter_case.hpp>
 
 #include <fmt/format.h>
 
@@ -26,13 +27,17 @@ int grey_of(float brightness) { return static_cast<int>(std::lround(brightness *
 /// Whether map_saver wrote the picture, and a threshold that makes its grey of unknown cells free, as map_saver of
 /// ROS 2 did up to 2025. Whoever wanted those cells free would have painted them so.
 bool means_grey_unknown(const GreyImage& image, const GridDescription& description) {
-  const double occupancy = 1 - kUnknownGrey / 255.0;
-  if (description.mode != GridMode::trinary || description.negate || !image.opacity.empty() ||
-      description.free_threshold <= occupancy || description.free_threshold >= description.occupied_threshold)
+  // Painting programs add an alpha channel, which trinary mode averages in: then this grey is free by usual thresholds.
+  const double shade = kUnknownGrey / 255.0, occupancy = 1 - (image.opacity.empty() ? shade : (3 * shade + 1) / 4);
+  if (description.mode != GridMode::trinary || description.negate || description.free_threshold <= occupancy ||
+      description.free_threshold >= description.occupied_threshold)
     return false;
   bool has_unknown = false, has_free = false;
-  for (const float brightness : image.brightness) {
-    const int grey = grey_of(brightness);
+  for (std::size_t k = 0; k < image.brightness.size(); ++k) {
+    const float opacity = image.opacity.empty() ? 1.0F : image.opacity[k];
+    if (opacity == 0) continue;
+    const int grey = grey_of(image.brightness[k]);
+    if (opacity < 1) return false;
     if (grey != kOccupiedGrey && grey != kUnknownGrey && grey != kFreeGrey && grey != kWhite) return false;
     has_unknown |= grey == kUnknownGrey;
     has_free |= grey == kFreeGrey;
@@ -78,12 +83,30 @@ class PixelRules {
   const GridDescription& description_;
 };
 
-/// An absolute image replaces the folder. If it is not there, its name beside the yaml file may be: both were copied.
-std::string image_path(const std::string& yaml_path, const std::string& image) {
-  const fs::path folder = fs::path(yaml_path).parent_path(), named = folder / image;
-  const fs::path beside = folder / fs::path(image).filename();
+/// The file of this name in a folder, in upper or lower case; empty: there is none.
+std::string file_called(const fs::path& folder, const std::string& name) {
   std::error_code error;
-  return (!fs::exists(named, error) && fs::is_regular_file(beside, error) ? beside : named).string();
+  const std::string wanted = lower_case_letters(name);
+  for (const auto& entry : fs::directory_iterator(folder.empty() ? fs::path(".") : folder, error))
+    if (lower_case_letters(entry.path().filename().string()) == wanted && entry.is_regular_file(error))
+      return (folder / entry.path().filename()).string();
+  return "";
+}
+
+/// An absolute image replaces the folder. If it is not there, its name beside the yaml file may be: both were copied,
+/// perhaps from Windows. If that is not there, either, an image that is called as the yaml file is may be: both were
+/// renamed, which is told.
+std::string image_path(const std::string& yaml_path, GridDescription& description) {
+  const fs::path folder = fs::path(yaml_path).parent_path(), named = folder / description.image;
+  std::error_code error;
+  if (fs::exists(named, error)) return named.string();
+  const std::string name = description.image.substr(description.image.find_last_of("/\\") + 1);
+  if (const std::string beside = file_called(folder, name); !beside.empty()) return beside;
+  const std::string ending = fs::path(name).extension().string();
+  const std::string renamed = file_called(folder, fs::path(yaml_path).stem().string() + ending);
+  if (ending.empty() || renamed.empty()) return named.string();
+  description.image_in_place_of_named = fs::path(renamed).filename().string();
+  return renamed;
 }
 
 }  // namespace
@@ -133,7 +156,7 @@ std::string read_bytes(const std::string& path, std::uint64_t max_bytes) {
 
 OccupancyGrid read_grid(const std::string& yaml_path, GridDescription& description) {
   description = parse_description(read_bytes(yaml_path, kMaxYamlBytes), yaml_path);
-  const std::string image = image_path(yaml_path, description.image);
+  const std::string image = image_path(yaml_path, description);
   const GreyImage pixels = decode_image(read_bytes(image, kMaxImageBytes), image);
   description.keeps_grey_unknown = means_grey_unknown(pixels, description);
   return classify(pixels, description);

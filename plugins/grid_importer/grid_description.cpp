@@ -50,10 +50,14 @@ class Entry {
     return value;
   }
 
-  Pose2 pose() const {
+  /// @param lacks_yaw  whether the yaw is NaN; then it is 0.
+  Pose2 pose(bool& lacks_yaw) const {
     const std::string expected = "[x, y, yaw], three finite numbers";
     if (!value_.IsSequence() || value_.size() != 3) refuse(expected);
-    return {number(value_[0], expected), number(value_[1], expected), number(value_[2], expected)};
+    double yaw_rad = 0;
+    lacks_yaw = value_[2].IsScalar() && lower_case_letters(value_[2].Scalar()).ends_with("nan");
+    if (!lacks_yaw) yaw_rad = number(value_[2], expected);
+    return {number(value_[0], expected), number(value_[1], expected), yaw_rad};
   }
 
  private:
@@ -82,8 +86,8 @@ double resolution(const Entry& entry) {
   return value_m;
 }
 
-Pose2 origin(const Entry& entry) {
-  const Pose2 pose = entry.pose();
+Pose2 origin(const Entry& entry, bool& lacks_yaw) {
+  const Pose2 pose = entry.pose(lacks_yaw);
   if (pose.position().norm() > 1e7) entry.refuse("an origin within 10000 km of the map's zero");
   return pose;
 }
@@ -102,7 +106,7 @@ const std::map<std::string, Reader>& readers() {
   static const std::map<std::string, Reader> kReaders{
       {"image", [](const Entry& e, GridDescription& d) { d.image = e.text(); }},
       {"resolution", [](const Entry& e, GridDescription& d) { d.resolution_m = resolution(e); }},
-      {"origin", [](const Entry& e, GridDescription& d) { d.T_map_grid = origin(e); }},
+      {"origin", [](const Entry& e, GridDescription& d) { d.T_map_grid = origin(e, d.lacks_yaw); }},
       {"mode", [](const Entry& e, GridDescription& d) { d.mode = mode(e); }},
       {"negate", [](const Entry& e, GridDescription& d) { d.negate = e.flag(); }},
       {"occupied_thresh", [](const Entry& e, GridDescription& d) { d.occupied_threshold = threshold(e); }},

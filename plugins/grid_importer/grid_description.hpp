@@ -20,6 +20,9 @@ struct GridDescription {
   double occupied_threshold = 0.65;
   double free_threshold = 0.196;  ///< above the other one: what is not occupied is free, and nothing is unknown between
   bool keeps_grey_unknown = false;  ///< the grey of unknown cells stays so, although free_threshold makes it free
+  bool lacks_yaw = false;           ///< the origin's yaw is NaN, as where a quaternion was none; 0 is taken
+  /// The image that is there, called as the yaml file is; empty: the named one is there.
+  std::string image_in_place_of_named = {};
   std::vector<std::string> ignored_keys;
 };
 

@@ -6,7 +6,10 @@
 #include "report.hpp"
 #include "smear.hpp"
 
+#include <opal/common/error.hpp>
 #include <opal/common/letter_case.hpp>
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -67,6 +70,12 @@ MapImport GridImporter::import(const std::string& path) const {
     boundary.emplace(grid);
   }
   const VectorMap vectors = vectorize(*boundary, limits_for(grid), kind);
+  if (vectors.faces.empty() && vectors.columns.empty())
+    throw MapError(fmt::format(
+        "{}: {} cells are occupied and {} free, and no wall is between them, expected a building: mode, negate and the "
+        "thresholds say what the pixels mean",
+        path, std::count(grid.cells().begin(), grid.cells().end(), Occupancy::occupied),
+        std::count(grid.cells().begin(), grid.cells().end(), Occupancy::free)));
   return {assemble(name_of(path), vectors, grid, smear_m), report(description, *boundary, vectors, smear_m)};
 }
 

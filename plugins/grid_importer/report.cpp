@@ -160,8 +160,14 @@ std::vector<std::string> report(const GridDescription& description, const Bounda
         description.free_threshold, description.occupied_threshold));
   if (description.keeps_grey_unknown)
     sentences.push_back(fmt::format(
-        "free_thresh {:g} would make the cells free that map_saver wrote as unknown (grey 205): they stay unknown",
+        "free_thresh {:g} would make the cells free that map_saver wrote as unknown (grey 205, also beside an alpha "
+        "channel): they stay unknown",
         description.free_threshold));
+  if (!description.image_in_place_of_named.empty())
+    sentences.push_back(
+        fmt::format("doubtful: the image {} is not there: {} was read, which is called as the yaml file",
+                    description.image, description.image_in_place_of_named));
+  if (description.lacks_yaw) sentences.push_back("doubtful: the yaw of origin is no number: 0 was taken");
   for (const std::string& key : description.ignored_keys)
     sentences.push_back("ignored in the yaml file: \"" + key + "\", which map_server does not define");
   return sentences;

@@ -83,7 +83,9 @@ TEST_CASE("thresholds say what is occupied and free") {
   const auto faint = pgm_with(room(), [](std::uint8_t shade) {
     return static_cast<std::uint8_t>(shade == DrawnGrid::kOccupied ? 120 : shade);  // occupied with 0.53
   });
-  CHECK(import_yaml(yaml_for("room.pgm"), faint).map->features().empty());
+  CHECK_THROWS_WITH(
+      import_yaml(yaml_for("room.pgm"), faint),
+      Contains("0 cells are occupied and") && Contains("expected a building: mode, negate and the thresholds"));
   CHECK(same_geometry(*map, *import_yaml(yaml_for("room.pgm", "[0, 0, 0]", "occupied_thresh: 0.5\n"), faint).map));
 }
 
@@ -232,12 +234,29 @@ TEST_CASE("a bad image is refused with its name, the place, what was found and w
   CHECK_THAT(message_of(yaml, "P2 2 1 9 5 10"), Contains("10, expected a pixel of at most 9"));
   CHECK_THAT(message_of(yaml, "P6 2 2 255\n"), Contains("0 bytes of pixels until the end of the file, expected 12"));
   CHECK_THAT(message_of(yaml, "P7 2 2 255\n"), Contains("room.pgm: byte 0: neither"));
-  CHECK_THAT(message_of(yaml, "\xFF\xD8\xFF\xE0 JFIF"), Contains("expected a PNG, PGM, PPM or BMP image"));
-  CHECK_THAT(message_of(yaml, "\xFF\xD8\xFF\xE0"), Contains("room.pgm: is a JPEG, which blurs the borders of cells"));
+  CHECK_THAT(message_of(yaml, "\xFF\xD8\xFF\xE0 JFIF"), Contains("room.pgm: header: libjpeg"));
+  CHECK_THAT(message_of(yaml, "GIF89a"), Contains("expected a PNG, PGM, PPM, BMP or JPEG image"));
+  CHECK_THAT(message_of(yaml, "version https://git-lfs.github.com/spec/v1\n"), Contains("is a pointer of Git LFS"));
   CHECK_THAT(message_of(yaml, ""), Contains("room.pgm: byte 0: neither"));
   CHECK_THAT(message_of(yaml, "\x89PNG\r\n\x1a\n"), Contains("room.pgm: header: libpng"));
   CHECK_THAT(message_of(yaml, room().png().substr(0, 60)), Contains("room.pgm: pixels: libpng"));
-  CHECK_THAT(message_of(yaml_for("missing.pgm")),
-             Contains("missing.pgm: cannot read the file: No such file or directory"));
+  CHECK_THAT(message_of(yaml_for("missing.png")),
+             Contains("missing.png: cannot read the file: No such file or directory"));
   CHECK_THAT(message_of(yaml_for(".")), Contains("cannot read the file"));
+}
+
+TEST_CASE("an image is found under its name beside the yaml file, from Windows, in other case, or renamed with it") {
+  const auto map = import_yaml(yaml_for("room.pgm")).map;
+  for (const char* named : {"C:\\Users\\me\\maps\\room.pgm", "maps/ROOM.PGM", "Room.pgm"})
+    CHECK(same_geometry(*map, *import_yaml(yaml_for(named)).map));
+  const MapImport renamed = import_yaml(yaml_for("/home/me/map.pgm"));
+  CHECK(same_geometry(*map, *renamed.map));
+  CHECK_THAT(renamed.report.back(), Contains("the image /home/me/map.pgm is not there: room.pgm was read"));
+}
+
+TEST_CASE("a yaw that is no number is 0, and that is told") {
+  const MapImport imported = import_yaml(yaml_for("room.pgm", "[0, 0, -nan]"));
+  CHECK(same_geometry(*import_yaml(yaml_for("room.pgm")).map, *imported.map));
+  CHECK_THAT(imported.report.back(), Contains("the yaw of origin is no number"));
+  CHECK_THROWS_WITH(import_yaml(yaml_for("room.pgm", "[nan, 0, 0]")), Contains("three finite numbers"));
 }

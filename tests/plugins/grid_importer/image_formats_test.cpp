@@ -5,6 +5,10 @@
 
 #include <catch2/catch.hpp>
 
+#include <cstdio>
+#include <cstdlib>
+
+#include <jpeglib.h>
 #include <png.h>
 
 #include <filesystem>
@@ -114,7 +118,57 @@ std::string bmp(const DrawnGrid& grid, int bits) {
   return bytes;
 }
 
+std::string jpeg(const DrawnGrid& grid, int quality) {
+  jpeg_compress_struct state{};
+  jpeg_error_mgr errors{};
+  state.err = jpeg_std_error(&errors);
+  jpeg_create_compress(&state);
+  unsigned char* data = nullptr;
+  unsigned long size = 0;
+  jpeg_mem_dest(&state, &data, &size);
+  state.image_width = static_cast<unsigned>(grid.columns());
+  state.image_height = static_cast<unsigned>(grid.rows());
+  state.input_components = 1;
+  state.in_color_space = JCS_GRAYSCALE;
+  jpeg_set_defaults(&state);
+  jpeg_set_quality(&state, quality, TRUE);
+  jpeg_start_compress(&state, TRUE);
+  std::string row;
+  visit_shades(grid, [&](std::uint8_t shade) {
+    row += static_cast<char>(shade);
+    if (row.size() < state.image_width) return;
+    auto* pixels = reinterpret_cast<unsigned char*>(row.data());
+    jpeg_write_scanlines(&state, &pixels, 1);
+    row.clear();
+  });
+  jpeg_finish_compress(&state);
+  std::string bytes(reinterpret_cast<const char*>(data), size);
+  jpeg_destroy_compress(&state);
+  std::free(data);
+  return bytes;
+}
+
 }  // namespace
+
+TEST_CASE("a JPEG of a grid is nearly the same map: its shades become whole again") {
+  const TemporaryFolder folder;
+  const auto faces = [&](const std::string& image, const std::string& name) {
+    folder.write(name, image);
+    return all<Segment>(*grid_importer()->import(folder.write("room.yaml", yaml_for(name))).map);
+  };
+  const std::vector<Segment> exact = faces(drawn_room().pgm(), "room.pgm");
+  for (const int quality : {95, 75}) {
+    const std::vector<Segment> read = faces(jpeg(drawn_room(), quality), "room.jpg");
+    REQUIRE(read.size() == exact.size());
+    for (std::size_t k = 0; k < exact.size(); ++k) CHECK((read[k].midpoint() - exact[k].midpoint()).norm() < 0.05);
+  }
+}
+
+TEST_CASE("a JPEG that was cut is refused") {
+  const std::string whole = jpeg(drawn_room(), 75);
+  CHECK_THROWS_WITH(map_of(whole.substr(0, whole.size() / 2), "room.jpg"), Contains("room.jpg: pixels: libjpeg"));
+  CHECK_THROWS_WITH(map_of(whole.substr(0, 20), "room.jpg"), Contains("room.jpg: header: libjpeg"));
+}
 
 TEST_CASE("a grid is the same map in grey, colours, a palette, with opacity, in 8 and 16 bit") {
   const std::string expected = map_of(drawn_room().pgm(), "room.pgm");
@@ -127,8 +181,10 @@ TEST_CASE("a grid is the same map in grey, colours, a palette, with opacity, in 
     CHECK(map_of(png_of(drawn_room(), type, depth), "room.png") == expected);
   }
   for (const int depth : {8, 16})  // in trinary mode, opacity is averaged in
-    for (const int type : {PNG_COLOR_TYPE_GRAY_ALPHA, PNG_COLOR_TYPE_RGB_ALPHA})
+    for (const int type : {PNG_COLOR_TYPE_GRAY_ALPHA, PNG_COLOR_TYPE_RGB_ALPHA}) {
       CHECK(map_of(png_of(drawn_room(), type, depth), "room.png", "mode: scale\n") == expected);
+      CHECK(map_of(png_of(drawn_room(), type, depth), "room.png") == expected);  // grey of unknown cells stays unknown
+    }
   for (const char* kind : {"P3", "P6"}) CHECK(map_of(netpbm(drawn_room(), kind), "room.ppm") == expected);
   for (const int bits : {8, 24, 32}) CHECK(map_of(bmp(drawn_room(), bits), "room.bmp") == expected);
 }

@@ -245,10 +245,9 @@ TEST_CASE("no columns are sought if none may be large enough") {
   CHECK(all<Circle>(*import(grid, {{"max_column_radius_m", 0}}).map).empty());
 }
 
-TEST_CASE("an empty grid is an empty map") {
-  const MapImport imported = import(DrawnGrid(30, 20));
-  CHECK(imported.map->features().empty());
-  CHECK(imported.report[0] == "grid of 30 x 20 cells of 0.05 m: 0 occupied, 0 free (0 m2)");
+TEST_CASE("a grid without a wall is refused") {
+  CHECK_THROWS_WITH(import(DrawnGrid(30, 20)),
+                    Catch::Contains("0 cells are occupied and 0 free, and no wall is between them"));
 }
 
 TEST_CASE("the same grid gives the same map") {
