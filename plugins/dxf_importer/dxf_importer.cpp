@@ -69,9 +69,10 @@ void expect_perceivable(const std::string& path, const DxfDrawing& drawing, cons
   const bool is_perceivable = std::any_of(sorting.elements.begin(), sorting.elements.end(),
                                           [](const PlanElement& element) { return !element.sensor.empty(); });
   if (is_perceivable) return;
-  throw MapError(fmt::format("{}: no layer gives anything {}, expected the option classes to name one of: {}{}", path,
-                             sorting.elements.empty() ? "for a map" : "that a sensor perceives",
-                             sorting.tally.overview(), hint_at_references(drawing)));
+  throw MapError(fmt::format(
+      "{}: no layer gives anything {}, expected the option classes to name one of (--set \"classes.LAYER=Wall\"): {}{}",
+      path, sorting.elements.empty() ? "for a map" : "that a sensor perceives", sorting.tally.overview(),
+      hint_at_references(drawing)));
 }
 
 /// @throws MapError if nothing that a sensor perceives is as long as a face: sections of profiles, symbols.

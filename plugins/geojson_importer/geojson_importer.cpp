@@ -4,7 +4,7 @@
 #include "file_kind.hpp"
 #include "imdf_archive.hpp"
 #include "level.hpp"
-#include "part_words.hpp"
+#include "types_by_words.hpp"
 
 #include <opal/common/error.hpp>
 #include <opal/import_kit/length_unit.hpp>
@@ -13,7 +13,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <tuple>
 
 namespace opal::geojson_importer {
 namespace {
@@ -43,27 +42,6 @@ std::vector<std::string> sentences_about_damage(const FeatureCollection& collect
   if (first == collection.features.end()) return {};
   return {fmt::format("damaged, and nothing is made of them: {} features, the first: {}",
                       std::count_if(first, collection.features.end(), is_damaged), first->damage)};
-}
-
-/// Of features that no rule knows. Walls of the plan's own say more than areas that are used for something: then only
-/// walls, doors and the like are known by words. What has no words at all is what the whole collection is called.
-void find_types_by_words(const std::string& file, FeatureCollection& collection) {
-  const auto is_wall = [](const Feature& feature) { return feature.type == "opal:Wall"; };
-  std::vector<Feature*> areas;
-  for (Feature& feature : collection.features) {
-    const auto known = feature.type.empty() ? class_by_words(feature) : std::nullopt;
-    if (known) std::tie(feature.type, feature.said_by) = *known;
-    if (known && (known->first == kRoom || known->first == kCorridor)) areas.push_back(&feature);
-  }
-  if (std::any_of(collection.features.begin(), collection.features.end(), is_wall))
-    for (Feature* area : areas) area->type = area->said_by = "";
-  const auto has_type = [](const Feature& feature) { return !feature.type.empty(); };
-  if (std::any_of(collection.features.begin(), collection.features.end(), has_type)) return;
-  const std::string& name = collection.name.empty() ? file : collection.name;
-  const auto type = class_by_name(name);
-  if (!type) return;
-  for (Feature& feature : collection.features) feature.type = *type;
-  collection.notes.push_back("every feature taken for " + *type + ", as the collection is called '" + name + "'");
 }
 
 }  // namespace

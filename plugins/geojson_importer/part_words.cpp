@@ -86,12 +86,16 @@ std::optional<std::pair<std::string, std::string>> class_by_words(const Feature&
     const std::string text = value.get<std::string>();
     const auto found = [&, &known = key](const std::string& type) { return std::pair(type, known + "=" + text); };
     if (is_area(feature) && (name == "stairs" || name == "elevator") && text == "yes") return found(kRoom);
+    if (name == "name" && words_of_name(text).size() == 1)  // "wall_12" of programs that have no other property
+      if (const auto type = class_of_words(words_of_name(text), false)) return found(*type);
     if (!has_any(words_of_name(key), kKindKeys) || is_outside(feature, name)) continue;
     if (const auto type = class_of_words(words_of_name(text), is_area(feature))) return found(*type);
     if (is_area(feature) && name == "room") return found(kRoom);  // room=* of OpenStreetMap
   }
   return std::nullopt;
 }
+
+bool is_kind_key(const std::string& key) { return has_any(words_of_name(key), kKindKeys); }
 
 std::optional<std::string> class_by_name(const std::string& collection) {
   const Words words = words_of_name(collection);

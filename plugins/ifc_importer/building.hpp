@@ -68,10 +68,11 @@ struct Building {
   std::string schema;
   double unit_m = 1;  ///< length of the model's unit
   std::string unit_name;
-  std::vector<Level> levels;        ///< from the lowest
-  std::vector<Element> elements;    ///< in order of id
-  std::vector<std::string> notes;   ///< sentences about the whole model
-  std::optional<double> north_rad;  ///< heading of true north in the model's coordinates
+  std::vector<Level> levels;         ///< from the lowest
+  std::vector<Element> elements;     ///< in order of id
+  std::vector<std::string> notes;    ///< sentences about the whole model
+  std::optional<Point> first_far_m;  ///< the first point that was refused since it lies beyond 1000 km
+  std::optional<double> north_rad;   ///< heading of true north in the model's coordinates
   std::optional<Georeference> georeference;
 };
 

@@ -6,6 +6,7 @@
 #include "side_information.hpp"
 
 #include <opal/common/error.hpp>
+#include <opal/import_kit/far_origin.hpp>
 
 #include <ifcpp/IFC4/include/IfcBuildingStorey.h>
 #include <ifcpp/IFC4/include/IfcGeometricRepresentationContext.h>
@@ -66,6 +67,7 @@ class Reading {
     }
     for (const auto& [class_name, count] : shapeless)
       building.notes.push_back(fmt::format("left out: {} {}, which are no things of the building", count, class_name));
+    building.first_far_m = bodies.first_far_m();
     read_context(building, unit.metres);
     finish(building);
     return building;
@@ -224,11 +226,23 @@ class Reading {
   std::map<std::string, std::vector<std::string>> unknown_, unread_;  // GlobalIds by type
 };
 
+bool has_bodies(const Building& building) {
+  return std::any_of(building.elements.begin(), building.elements.end(),
+                     [](const Element& element) { return !element.bodies.empty(); });
+}
+
 }  // namespace
 
 Building read_building(const StepText& step, const std::string& name, const Point& origin_m) {
   try {
-    return Reading(step, name, origin_m).building();
+    Building building = Reading(step, name, origin_m).building();
+    const Point far_m = building.first_far_m && origin_m.isZero() && !has_bodies(building)
+                            ? origin_of_far_plan(*building.first_far_m, *building.first_far_m)
+                            : Point::Zero();
+    if (far_m.isZero()) return building;
+    building = Reading(step, name, far_m).building();
+    building.notes.push_back(sentence_about_far_origin(far_m));
+    return building;
   } catch (const MapError&) {
     throw;
   } catch (const std::bad_alloc&) {

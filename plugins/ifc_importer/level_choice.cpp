@@ -98,7 +98,17 @@ std::string left_out(const Building& building, const Classes& classes, std::opti
          (counts.size() == 1 ? "them" : "these") + " in)";
 }
 
-/// The same, above the lowest storey that has any such thing.
+/// "; cannot be read: 6 things, the first is IfcWall 3k...: has no point"; empty: all can.
+std::string unread_things(const Building& building) {
+  const auto is_unread = [](const Element& element) { return element.bodies.empty() && !element.troubles.empty(); };
+  const auto first = std::find_if(building.elements.begin(), building.elements.end(), is_unread);
+  if (first == building.elements.end()) return "";
+  return fmt::format("; cannot be read: {} things, the first is {} {}: {}",
+                     std::count_if(first, building.elements.end(), is_unread), first->source_class(), first->id,
+                     first->troubles.front());
+}
+
+/// What classes leave out above the lowest storey that has any such thing.
 std::string left_out_above(const Building& building, const Classes& classes, double sensor_height_m) {
   for (const Level& level : building.levels)
     if (std::string text = left_out(building, classes, level.elevation_m + sensor_height_m); !text.empty()) return text;
@@ -127,7 +137,7 @@ LevelChoice lowest_level(const Building& building, const Classes& classes, const
               height_m, options.sensor_height_m, level.name, what)};
     }
   throw MapError(file + ": no storey has anything solid " + fmt::format("{:.2f}", options.sensor_height_m) +
-                 " m above it" + left_out_above(building, classes, options.sensor_height_m) +
+                 " m above it" + left_out_above(building, classes, options.sensor_height_m) + unread_things(building) +
                  ", expected a storey (--storey) of " + names_of(building) + ", or a height (--z)");
 }
 
@@ -149,7 +159,7 @@ LevelChoice lowest_wall(const Building& building, const Classes& classes, const 
     lowest_m = lowest_of(solids_of(building, classes));
   }
   if (!std::isfinite(lowest_m))
-    throw MapError(file + ": has no storeys and no walls" + left_out(building, classes, {}) +
+    throw MapError(file + ": has no storeys and no walls" + left_out(building, classes, {}) + unread_things(building) +
                    ", expected a height (--z)");
   const double height_m = lowest_m + options.sensor_height_m;
   return {height_m, "",

@@ -1,5 +1,6 @@
 #include "step_text.hpp"
 
+#include "foreign_letters.hpp"
 #include "reference_check.hpp"
 #include "side_information.hpp"
 #include "step_arguments.hpp"
@@ -184,7 +185,7 @@ StepText StepText::read(const std::string& path) {
 
 StepText StepText::parse(std::string content, const std::string& name) {
   StepText step;
-  step.text_ = std::move(content);
+  step.text_ = with_codes(std::move(content));
   step.text_.erase(step.text_.find_last_not_of(kPadding) + 1);
   const std::string_view whole = trimmed(step.text_);
   if (whole.find(kBegin) > 16)

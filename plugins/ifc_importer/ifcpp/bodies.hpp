@@ -69,6 +69,9 @@ class Bodies {
     return points;
   }
 
+  /// The first point that was refused since it lies too far away [m].
+  const std::optional<Point>& first_far_m() const { return first_far_; }
+
  private:
   /// As the model assigns it; radians if it assigns none.
   static double angle_rad(UnitConverter& units) {
@@ -76,8 +79,10 @@ class Bodies {
   }
 
   Point3 checked(const Point3& point) {
-    if (!point.allFinite() || point.cwiseAbs().maxCoeff() > kFarthest_m)
+    if (!point.allFinite() || point.cwiseAbs().maxCoeff() > kFarthest_m) {
+      if (point.allFinite() && !first_far_) first_far_ = point.head<2>();
       throw Unreadable("has a point farther than 1000 km from the origin (options origin_x_m, origin_y_m), or none");
+    }
     if (++points_ > kMaxPoints) throw Unreadable("is left out: the model has more than 20 million points");
     return point;
   }
@@ -284,6 +289,7 @@ class Bodies {
   shared_ptr<GeometrySettings> settings_;
   RepresentationConverter converter_;
   Profiles profiles_;
+  std::optional<Point> first_far_;
   std::size_t points_ = 0;
 };
 

@@ -322,7 +322,7 @@ TEST_CASE("a building in national coordinates comes in, and may be moved near to
   DrawnBuilding building(T_grid_building, "mm");
   building.add_wall("wall", {0, 0, 0}, 4, 0.2);
   building.add_wall("stem", {0, 1.1, kPi / 2}, 2, 0.2);
-  CHECK_THROWS_WITH(import(building), Contains("origin_x_m") && Contains("wall"));
+  CHECK_THROWS_WITH(import(building, {{"origin_x_m", 1}}), Contains("origin_x_m") && Contains("wall"));
   const MapImport imported = import(building, {{"origin_x_m", 412000}, {"origin_y_m", 5654000}});
   REQUIRE(element(imported, "wall").status == ImportStatus::imported);
   const MapImport near = [] {

@@ -91,7 +91,7 @@ TEST_CASE("where no sensor perceives anything the layers are named, and no unit 
   CHECK_NOTHROW(with(json::object()));
   CHECK_THROWS_WITH(with({{"classes", {{"WAENDE", "leave_out"}, {"MAUER*", "leave_out"}}}}),
                     Contains("no layer gives anything that a sensor perceives, expected the option classes to name one "
-                             "of: 'Fenster' (1 LINE)") &&
+                             "of (--set \"classes.LAYER=Wall\"): 'Fenster' (1 LINE)") &&
                         Contains("'Waende' (1 LWPOLYLINE)"));
 }
 

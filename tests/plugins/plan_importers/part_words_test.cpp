@@ -52,6 +52,7 @@ TEST_CASE("walls and doors are known by words, and then areas of a use are none"
   const MapImport plan = import_all({line({{"USE_TYPE", "Wall - Interior"}}), box(0, {{"USE_TYPE", "Office"}})});
   CHECK(says(plan, "class USE_TYPE=Wall - Interior as opal:Wall: 1 LineString"));
   CHECK(says(plan, "no class for it: class USE_TYPE=Office"));
+  CHECK(says(import_all({line({{"name", "wall_12"}})}), "class name=wall_12 as opal:Wall"));
 }
 
 TEST_CASE("what stands outside, describes something or is a line is no room") {
@@ -61,6 +62,20 @@ TEST_CASE("what stands outside, describes something or is a line is no room") {
     CHECK_THROWS_WITH(import_all({box(0, properties)}), Contains("no feature gives anything for a map"));
   }
   CHECK_THROWS_WITH(import_all({line({{"type", "corridor of the office"}})}), Contains("no feature gives anything"));
+}
+
+TEST_CASE("other kinds beside rooms are corridors, but for what lies around rooms") {
+  const auto of_type = [](double x, const char* type) { return box(x, {{"type", type}}); };
+  json building = of_type(0, "Gebäude");
+  building["geometry"]["coordinates"][0] = {{-1, -1}, {30, -1}, {30, 9}, {-1, 9}, {-1, -1}};
+  const std::vector<json> rooms{of_type(0, "Büro"), of_type(4, "Lager"), of_type(8, "WC")};
+  std::vector<json> more = rooms;
+  more.insert(more.end(), {of_type(12, "Open Space"), building});
+  const MapImport plan = import_all(more);
+  CHECK(says(plan, "class type=Open Space as opal:Corridor: 1 Polygon"));
+  CHECK(says(plan, "no class for it: class type=Gebäude"));
+  const MapImport few = import_all({rooms[0], of_type(12, "Open Space")});
+  CHECK(says(few, "no class for it: class type=Open Space"));
 }
 
 TEST_CASE("a collection that is called walls or rooms holds these, if nothing in it says more") {
