@@ -69,8 +69,9 @@ bool GeoJsonImporter::recognizes(const std::string& path) const {
   return is_imdf_archive(path) || looks_like_plan(path);
 }
 
-FeatureCollection GeoJsonImporter::plan_at(const std::string& path) const {
+FeatureCollection GeoJsonImporter::plan_at(const std::string& path, const std::string& level_property) const {
   FeatureCollection collection = read_plan(path);
+  find_levels(path, level_property, collection);
   for (Feature& feature : collection.features)
     feature.type = plan_.rules.class_of(classes_of(feature, class_property_).names).value_or("");
   if (class_property_.empty()) find_types_by_words(name_of(path), collection);
@@ -84,7 +85,7 @@ FeatureCollection GeoJsonImporter::plan_at(const std::string& path) const {
 PlacementOptions GeoJsonImporter::placement() const {
   PlacementOptions placement = placement_;
   if (placement.origin_file.empty()) return placement;
-  FeatureCollection other = plan_at(placement.origin_file);
+  FeatureCollection other = plan_at(placement.origin_file, "");
   placement.origin_deg = middle_deg(placement, other);
   return placement;
 }
@@ -124,8 +125,7 @@ FeatureClasses GeoJsonImporter::shown_classes(const Feature& feature) const {
 }
 
 std::vector<Storey> GeoJsonImporter::storeys(const std::string& path) const {
-  FeatureCollection collection = plan_at(path);
-  find_levels(path, level_property_, collection);
+  FeatureCollection collection = plan_at(path, level_property_);
   std::vector<Storey> storeys;
   for (const std::string& level : all_levels(collection)) {
     const auto label = collection.label_of_level.find(level);
@@ -160,8 +160,7 @@ void GeoJsonImporter::expect_features(const std::string& path, const SemanticMap
 }
 
 MapImport GeoJsonImporter::import(const std::string& path) const {
-  FeatureCollection collection = plan_at(path);
-  find_levels(path, level_property_, collection);
+  FeatureCollection collection = plan_at(path, level_property_);
   std::vector<std::string> sentences = collection.notes;
   const std::string level = chosen_level(path, collection, sentences);
   for (const std::string& sentence : doubts_about_levels(collection)) sentences.push_back(sentence);

@@ -21,8 +21,8 @@ class GeoJsonImporter final : public MapImporter {
   std::vector<Storey> storeys(const std::string& path) const override;
 
  private:
-  /// A plan whose features know whether something becomes of them on any level.
-  FeatureCollection plan_at(const std::string& path) const;
+  /// A plan whose features know their levels and types, and whether something becomes of them on any level.
+  FeatureCollection plan_at(const std::string& path, const std::string& level_property) const;
   /// With the origin that another plan gives.
   PlacementOptions placement() const;
   /// What only the assembled map shows. @throws MapError if it holds nothing.

@@ -9,7 +9,7 @@ namespace opal::geojson_importer {
 
 /// Finds out on which levels each feature is, as OpenStreetMap writes them in the properties `level` and `repeat_on`:
 /// "1", "0;1", "-1-2" (-1, 0, 1, 2), or a number. A plan without `level` and `level_id` may say them in floor, floorId,
-/// floor_id or storey. Upper and lower case are the same. Features know by then whether anything becomes of them.
+/// floor_id or storey. Upper and lower case are the same.
 /// @param path      stands for the file in messages.
 /// @param property  says the levels, and no other one does; empty: as above.
 /// @throws MapError if no feature has the property that is asked for.

@@ -37,12 +37,24 @@ Point middle_of(const Ring& ring) {
   return sum / static_cast<double>(ring.size());
 }
 
-/// Whether the middle of any of these areas lies in a feature.
-bool is_around_any(const Feature& feature, const std::vector<Point>& middles) {
-  return std::any_of(middles.begin(), middles.end(), [&](const Point& middle) {
-    return std::any_of(feature.shapes.polygons.begin(), feature.shapes.polygons.end(), [&](const auto& polygon) {
-      return is_inside(middle, polygon.front()) && (middle - middle_of(polygon.front())).norm() > 0;
-    });
+struct Middle {
+  Point point;
+  const Feature* feature = nullptr;
+};
+
+bool are_on_one_level(const Feature& a, const Feature& b) {
+  return a.levels.empty() || b.levels.empty() ||
+         std::any_of(a.levels.begin(), a.levels.end(), [&](const std::string& level) {
+           return std::find(b.levels.begin(), b.levels.end(), level) != b.levels.end();
+         });
+}
+
+/// Whether the middle of any other area on its level lies in a feature.
+bool is_around_any(const Feature& feature, const std::vector<Middle>& middles) {
+  return std::any_of(middles.begin(), middles.end(), [&](const Middle& middle) {
+    return are_on_one_level(feature, *middle.feature) &&
+           std::any_of(feature.shapes.polygons.begin(), feature.shapes.polygons.end(),
+                       [&](const auto& polygon) { return is_inside(middle.point, polygon.front()); });
   });
 }
 
@@ -86,11 +98,11 @@ std::string usual_key(const FeatureCollection& collection) {
 void take_others_of_usual_key(FeatureCollection& collection) {
   const std::string key = usual_key(collection);
   if (key.empty()) return;
-  std::vector<Point> middles;
+  std::vector<Middle> middles;
   std::vector<Feature*> others;
   for (Feature& feature : collection.features) {
     if (is_area_of(feature))
-      for (const auto& polygon : feature.shapes.polygons) middles.push_back(middle_of(polygon.front()));
+      for (const auto& polygon : feature.shapes.polygons) middles.push_back({middle_of(polygon.front()), &feature});
     if (may_be_known(feature) && has_text_at(feature, key)) others.push_back(&feature);
   }
   if (middles.size() * others.size() > kMostPairs) return;

@@ -13,6 +13,7 @@ namespace opal::geojson_importer {
 /// - Where most areas with a property are rooms and corridors by words of it, the others with it are corridors: open
 ///   spaces, docks, what is called in another language. An area around others, as a building or a storey is, is none.
 /// - What has no words at all is what the whole collection is called.
+/// Features know their levels by then.
 /// @param file  its name without folder and ending, for a collection without a name.
 void find_types_by_words(const std::string& file, FeatureCollection& collection);
 

@@ -74,6 +74,15 @@ TEST_CASE("other kinds beside rooms are corridors, but for what lies around room
   const MapImport plan = import_all(more);
   CHECK(says(plan, "class type=Open Space as opal:Corridor: 1 Polygon"));
   CHECK(says(plan, "no class for it: class type=Gebäude"));
+  std::vector<json> storeys;
+  for (json room : rooms) {
+    room["properties"]["level"] = "1";
+    storeys.push_back(std::move(room));
+  }
+  json above = building;
+  above["properties"] = {{"type", "Open Space"}, {"level", "0"}};
+  storeys.push_back(above);
+  CHECK(says(import_all(storeys), "class type=Open Space as opal:Corridor"));
   const MapImport few = import_all({rooms[0], of_type(12, "Open Space")});
   CHECK(says(few, "no class for it: class type=Open Space"));
 }
