@@ -1,4 +1,5 @@
-// libFuzzer entry point: any bytes called GeoJSON give storeys and a map, in metres or degrees, or an opal::Error.
+// libFuzzer entry point: any bytes called GeoJSON, or XML of OpenStreetMap if they begin with "<", give storeys and a
+// map, in metres or degrees, or an opal::Error.
 #include "tests/kit/temporary_folder.hpp"
 
 #include <opal/common/error.hpp>
@@ -30,7 +31,8 @@ void use(const opal::MapImporter& importer, const std::string& path) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   static const Importer kFlat = importer(false), kGeographic = importer(true);
   static const opal::TemporaryFolder kFolder;
-  const std::string path = kFolder.write("p.json", {reinterpret_cast<const char*>(data), size});
+  const std::string path =
+      kFolder.write(size > 0 && data[0] == '<' ? "p.osm" : "p.json", {reinterpret_cast<const char*>(data), size});
   kFlat->recognizes(path);
   use(*kFlat, path);
   use(*kGeographic, path);

@@ -30,7 +30,7 @@ MISTAKES = [
             ["none.yaml: resolution is missing"],
             make=grid("none.yaml", lambda text: "\n".join(line for line in text.split("\n") if "resol" not in line))),
     Mistake("map with nothing on it", "The grid is white.", RUN % "white.yaml", 3,
-            ["nothing is left to run with this map", "the map holds no opal:Wall"],
+            ["white.yaml: 0 cells are occupied and", "no wall is between them, expected a building"],
             make=both(file("white.pgm", b"P5\n200 200\n255\n" + b"\xfe" * 40000),
                       file("white.yaml", "image: white.pgm\nresolution: 0.05\norigin: [0, 0, 0]\nnegate: 0\n"
                                          "occupied_thresh: 0.65\nfree_thresh: 0.196\n")), absent=["out"]),
