@@ -217,7 +217,15 @@ TEST_CASE("events out of order are errors") {
   expect_error(kHead + update(0, 1, events_at(1, R"("event":"associated","hypothesis":1,"pairs":[])")), 4,
                "the open keyframe");
   expect_error(kHead + events_at(0, R"("event":"associated","hypothesis":1,"pairs":[])"), 3, "that begins this update");
-  expect_error(kHead + update(0, 2) + update(1, 1), 6, "not before");
+}
+
+TEST_CASE("time goes on where the clock is set back") {
+  const ReadRun run = read_text(kHead + update(0, 20) + update(1, 22) + update(2, 12) + update(3, 15));
+  REQUIRE(run.frames.size() == 4);
+  CHECK(run.frames[1].time_s == 2);
+  CHECK(run.frames[2].time_s == 2);
+  CHECK(run.frames[2].stamp_s == 12);
+  CHECK(run.frames[3].time_s == 5);
 }
 
 TEST_CASE("values that cannot be are errors that name the place") {

@@ -7,6 +7,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <utility>
+
 namespace opal {
 
 std::optional<RunFrame> FrameBuilder::add(const Event& event) {
@@ -73,7 +76,9 @@ void FrameBuilder::begin_frame(const EventPlace& event) {
   RunFrame frame;
   read_frame_event("keyframe", event, features_, frame);
   if (starts_) first_stamp_s_ = newest_stamp_s_ = frame.stamp_s;
-  if (frame.stamp_s < newest_stamp_s_) event.member("stamp_s").fail("a stamp not before the keyframe's before it");
+  const double set_back_s =
+      std::max(0.0, newest_stamp_s_ - frame.stamp_s);  // a robot's clock may be; its drive goes on
+  first_stamp_s_ -= set_back_s;
   newest_stamp_s_ = frame.stamp_s;
   frame.time_s = frame.stamp_s - first_stamp_s_;
   frame.starts = std::exchange(starts_, std::nullopt);

@@ -148,7 +148,7 @@ struct RecordedSearch {
 struct RunFrame {
   KeyframeId keyframe = {};
   double stamp_s = 0;
-  double time_s = 0;                  ///< since the first update of the time line
+  double time_s = 0;                  ///< since the first update of the time line; a clock that is set back stops it
   std::optional<std::string> starts;  ///< name of the time line that begins here
   Pose2 T_local_base;
   bool scan_match = false;

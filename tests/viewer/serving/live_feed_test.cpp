@@ -66,6 +66,26 @@ TEST_CASE("a live run gives the records that its event file gives, with the same
   CHECK(log.wait(live.size(), {}, std::chrono::milliseconds(0)).outcome == RecordLog::Reading::Outcome::end);
 }
 
+TEST_CASE("a clock that is set back does not end the page of a live run") {
+  /// The clock of a robot that learns the time after 30 updates.
+  struct SetBack final : EventSink {
+    explicit SetBack(EventSink& taker) : to(taker) {}
+    bool listening() const override { return true; }
+    void write(const nlohmann::ordered_json& event) override {
+      nlohmann::ordered_json changed = event;
+      if (event.value("keyframe", 0) >= 30) changed["stamp_s"] = event["stamp_s"].get<double>() - 10;
+      to.write(changed);
+    }
+    EventSink& to;
+  };
+  RecordLog log;
+  LiveFeed feed(log);
+  SetBack clock(feed);
+  synthetic::write_run({.updates = 60, .hypotheses = 30, .time_lines = 1}, clock);
+  feed.end();
+  CHECK(all_of(log).size() == 62);
+}
+
 TEST_CASE("the words of a live run stand in its records") {
   RecordLog log;
   LiveFeed feed(log);
