@@ -90,34 +90,27 @@ void check_log(std::span<const LogRecord> records, const LaserModel& laser, cons
 std::vector<LaserModel> lasers_of_log(std::span<const LogRecord> records, std::vector<LaserModel> described,
                                       const std::string& log, const std::string& described_in) {
   const bool are_several = described.size() > 1;
-  for (std::size_t k = 0; k < described.size(); ++k) {
-    const std::string place = described_in + (are_several ? "/" + std::to_string(k) : "");
-    const bool is_named = are_several || !described[k].frame.empty();
-    if (is_named && !has_scan_of(records, described[k]))
-      throw ConfigError(fmt::format("{}: {} has no scan of frame \"{}\"; its scans have: {}", place, log,
-                                    described[k].frame, frames_in(records)));
-    check_log(records, described[k], log, place);
-    described[k] = with_log_geometry(described[k], records);
-  }
-  return described;
-}
-
-std::vector<LaserModel> lasers_of_robot(std::span<const LogRecord> records, std::vector<LaserModel> described,
-                                        const std::string& described_in) {
-  const std::string robot = "the robot";
-  if (described.size() < 2 || !are_all_described(records, described))
-    return lasers_of_log(records, std::move(described), robot, described_in);
+  const std::vector<std::string> silent = silent_lasers(records, described);
+  const bool may_be_silent = silent.size() < described.size() && are_all_described(records, described);
   std::vector<LaserModel> lasers;
   for (std::size_t k = 0; k < described.size(); ++k) {
-    if (has_scan_of(records, described[k])) {
-      check_log(records, described[k], robot, described_in + "/" + std::to_string(k));
-      lasers.push_back(with_log_geometry(described[k], records));
-    } else if (!described[k].geometry_from_log) {
-      lasers.push_back(described[k]);
-    }
+    const std::string place = described_in + (are_several ? "/" + std::to_string(k) : "");
+    const bool is_silent = !described[k].frame.empty() && !has_scan_of(records, described[k]);
+    if (is_silent && !may_be_silent)
+      throw ConfigError(fmt::format("{}: {} has no scan of frame \"{}\"; its scans have: {}", place, log,
+                                    described[k].frame, frames_in(records)));
+    if (is_silent && described[k].geometry_from_log) continue;
+    check_log(records, described[k], log, place);
+    lasers.push_back(with_log_geometry(described[k], records));
   }
-  if (lasers.empty()) return lasers_of_log(records, std::move(described), robot, described_in);
   return lasers;
+}
+
+std::vector<std::string> silent_lasers(std::span<const LogRecord> records, std::span<const LaserModel> described) {
+  std::vector<std::string> silent;
+  for (const LaserModel& laser : described)
+    if (!laser.frame.empty() && !has_scan_of(records, laser)) silent.push_back(laser.frame);
+  return silent;
 }
 
 }  // namespace opal

@@ -19,15 +19,15 @@ const RawScan* first_with_geometry(std::span<const LogRecord> records, const Las
 OPAL_EXPORT void check_log(std::span<const LogRecord> records, const LaserModel& laser, const std::string& log,
                            const std::string& described_in);
 
-/// Lasers with what the log states of them (with_log_geometry), after check_log. @throws ConfigError likewise, and
-/// where there are several, for one of which the log has no scan.
+/// Lasers with what the log states of them (with_log_geometry), after check_log. One without a scan stays as it is
+/// described: it may begin later, or have failed. It is left out if its geometry comes from its scans.
+/// @throws ConfigError likewise, and where a laser has no scan while there are scans that none is described for, or
+/// none at all of any described laser.
 OPAL_EXPORT std::vector<LaserModel> lasers_of_log(std::span<const LogRecord> records, std::vector<LaserModel> described,
                                                   const std::string& log, const std::string& described_in);
 
-/// The same for a robot that runs, of which some lasers may not have begun yet. One without a scan stays as it is
-/// described, or is left out if its geometry comes from its scans. @throws ConfigError likewise, also if there is a
-/// scan that none of the lasers is described for, while one of them has none.
-OPAL_EXPORT std::vector<LaserModel> lasers_of_robot(std::span<const LogRecord> records,
-                                                    std::vector<LaserModel> described, const std::string& described_in);
+/// The frames of described lasers that have no scan.
+OPAL_EXPORT std::vector<std::string> silent_lasers(std::span<const LogRecord> records,
+                                                   std::span<const LaserModel> described);
 
 }  // namespace opal

@@ -102,22 +102,23 @@ TEST_CASE("a laser whose frame no scan has is refused with both names, alone, to
                     "b.jsonld: /sensor: a.log has no scan of frame \"laser\"; its scans have: \"base_scan\"");
 }
 
-TEST_CASE("a robot's laser that has not begun stays as described, or is left out if its scans tell its geometry") {
+TEST_CASE("a laser that never speaks stays as described, or is left out if its scans tell its geometry") {
   auto records = log_with(361);
   for (LogRecord& record : records) std::get<RawScan>(record).frame = "front";
   LaserModel front = described(361), rear = described(181);
   front.frame = "front";
   rear.frame = "rear";
-  CHECK(lasers_of_robot(records, {front, rear}, "b.jsonld: /sensor").size() == 2);
+  CHECK(lasers_of_log(records, {front, rear}, "the robot", "b.jsonld: /sensor").size() == 2);
+  CHECK(silent_lasers(records, std::vector{front, rear}) == std::vector<std::string>{"rear"});
   rear.geometry_from_log = true;
-  const auto alone = lasers_of_robot(records, {front, rear}, "b.jsonld: /sensor");
+  const auto alone = lasers_of_log(records, {front, rear}, "the robot", "b.jsonld: /sensor");
   REQUIRE(alone.size() == 1);
   CHECK(alone[0].frame == "front");
   std::get<RawScan>(records.back()).frame = "rear";
-  CHECK_THROWS_AS(lasers_of_robot(records, {front, described(5)}, "b.jsonld: /sensor"), ConfigError);
+  CHECK_THROWS_AS(lasers_of_log(records, {front, described(5)}, "the robot", "b.jsonld: /sensor"), ConfigError);
 }
 
-TEST_CASE("a robot's scans of a frame that nobody describes are told, where a described laser has none") {
+TEST_CASE("scans of a frame that nobody describes are told, where a described laser has none") {
   auto records = log_with(361);
   for (LogRecord& record : records) std::get<RawScan>(record).frame = "front";
   std::get<RawScan>(records.back()).frame = "behind";
@@ -125,6 +126,6 @@ TEST_CASE("a robot's scans of a frame that nobody describes are told, where a de
   front.frame = "front";
   rear.frame = "rear";
   CHECK_THROWS_WITH(
-      lasers_of_robot(records, {front, rear}, "b.jsonld: /sensor"),
+      lasers_of_log(records, {front, rear}, "the robot", "b.jsonld: /sensor"),
       "b.jsonld: /sensor/1: the robot has no scan of frame \"rear\"; its scans have: \"behind\", \"front\"");
 }

@@ -8,6 +8,7 @@
 #include "cli/terminal/live_view.hpp"
 #include "cli/terminal/run_end.hpp"
 #include "cli/terminal/stop_signals.hpp"
+#include "sensing/log_check.hpp"
 #include "session/session.hpp"
 
 #include <opal/deployment/deployment.hpp>
@@ -38,6 +39,7 @@ struct LocalizeSetup {
   std::string mount_doubt;  ///< in words; empty: the laser's place on the robot is stated
   std::optional<GroundTruth> truth;
   LocalizerParts parts;
+  std::vector<std::string> silent_lasers = {};  ///< frames that are described, and have no scan
 };
 
 LocalizeSetup set_up(const LocalizeOptions& options) {
@@ -45,6 +47,7 @@ LocalizeSetup set_up(const LocalizeOptions& options) {
   LocalizeSetup setup{session::load_plugins(deployment), std::move(deployment), {}, {}, {}, {}, {}};
   const auto map = session::load_map(setup.plugins, setup.deployment);
   setup.log = benchmark::read_recorded_log(setup.plugins, options.log, setup.deployment, options.log_words);
+  setup.silent_lasers = silent_lasers(setup.log.records, setup.deployment.lasers);
   setup.deployment.lasers = options.lasers_of(setup.log.records, setup.deployment.lasers);
   setup.mount_doubt = options.mount_doubt(setup.log.records, setup.deployment);
   setup.windows = options.windows();
@@ -58,6 +61,7 @@ LocalizeSetup set_up(const LocalizeOptions& options) {
 void tell(const benchmark::LocalizeRun& run, const LocalizeSetup& setup, const std::string& out) {
   run.print();
   if (!setup.mount_doubt.empty()) fmt::print("sensor: {}\n", setup.mount_doubt);
+  for (const std::string& frame : setup.silent_lasers) fmt::print("sensor: laser {}: no scan in the log\n", frame);
   for (const auto& [cause, count] : setup.log.defects) fmt::print("log: {}: {} times\n", cause, count);
   for (const std::string& doubt : benchmark::doubts_of(setup.log, setup.deployment.lasers.front()))
     fmt::print("log: {}\n", doubt);

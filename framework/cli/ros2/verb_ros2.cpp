@@ -56,7 +56,7 @@ class RobotParts {
   }
   LocalizerParts make(std::span<const LogRecord> records) {
     Deployment fitted = deployment_;
-    fitted.lasers = lasers_of_robot(records, deployment_.lasers, config_ + ": /sensor");
+    fitted.lasers = lasers_of_log(records, deployment_.lasers, "the robot", config_ + ": /sensor");
     LocalizerParts parts = build_parts(fitted, plugins_, map_);
     if (events_ != nullptr) begin_events(parts);
     if (learning_) learning_->begin(parts);

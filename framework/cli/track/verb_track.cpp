@@ -10,6 +10,7 @@
 #include "cli/track/start_poses.hpp"
 #include "cli/track/track_output.hpp"
 #include "common/phrases.hpp"
+#include "sensing/log_check.hpp"
 #include "session/session.hpp"
 
 #include <opal/common/error.hpp>
@@ -59,6 +60,7 @@ struct TrackSetup {
   std::string mount_doubt;  ///< in words; empty: the laser's place on the robot is stated
   std::optional<GroundTruth> truth;
   LocalizerParts parts;
+  std::vector<std::string> silent_lasers = {};  ///< frames that are described, and have no scan
 };
 
 TrackSetup set_up(const TrackOptions& options) {
@@ -67,6 +69,7 @@ TrackSetup set_up(const TrackOptions& options) {
   setup.map = session::load_map(setup.plugins, setup.deployment);
   if (options.damage.any()) setup.map = damaged_map(*setup.map, options.damage.damage());
   setup.log = benchmark::read_recorded_log(setup.plugins, options.log, setup.deployment, options.log_words);
+  setup.silent_lasers = silent_lasers(setup.log.records, setup.deployment.lasers);
   setup.deployment.lasers = options.lasers_of(setup.log.records, setup.deployment.lasers);
   setup.mount_doubt = options.mount_doubt(setup.log.records, setup.deployment);
   if (!options.queries.empty()) benchmark::expect_scans(options.windows(), setup.log, options.queries);
@@ -122,6 +125,7 @@ MapBelief smooth(const PoseTracker& tracker, const TrackedWindow& window, TrackO
 
 void tell_doubts(const TrackSetup& setup) {
   if (!setup.mount_doubt.empty()) fmt::print("sensor: {}\n", setup.mount_doubt);
+  for (const std::string& frame : setup.silent_lasers) fmt::print("sensor: laser {}: no scan in the log\n", frame);
   for (const std::string& doubt : benchmark::doubts_of(setup.log, setup.deployment.lasers.front()))
     fmt::print("log: {}\n", doubt);
 }
