@@ -7,7 +7,7 @@ namespace {
 constexpr double kStep_m = 0.25, kStep_rad = 0.25, kTooFar_m = 1, kTooFar_rad = 0.8;
 /// A robot that stands by its odometry is looked at this often: it may be driving all the same.
 constexpr double kStanding_s = 0.5, kStands_m = 0.02, kStands_rad = 0.02;
-constexpr double kFewestInliers = 0.6, kPlainInliers = 0.85, kClearlyMore = 0.2;
+constexpr double kFewestInliers = 0.6, kStillInliers = 0.3, kPlainInliers = 0.85, kClearlyMore = 0.2;
 constexpr std::size_t kFewestPoints = 20;
 /// A distance of which scans may tell whether it was driven forwards or backwards, and how many more of the points
 /// agree with the one than with the other if they do.
@@ -58,21 +58,21 @@ std::optional<MotionPair> MotionPairs::laid_over(const std::vector<Point>& point
   const Pose2 T_described = T_base_laser_.inverse() * T_odometry * T_base_laser_;
   ScanMatch match = near(points, T_described);
   const bool stands = is_standstill(T_odometry);
-  bool is_as_described = true;
-  if (stands || fit_of(match) < kPlainInliers)
-    is_as_described = !prefer_any_way(points, T_odometry, stands ? kMoreInliers : kClearlyMore, match);
+  bool is_as_described = true, is_still = false;
+  if (stands || fit_of(match) < kPlainInliers) {
+    const ScanMatch free = any_way(points, T_odometry);
+    is_still =
+        stands && free.converged && is_standstill(match.T_reference_scan) && is_standstill(free.T_reference_scan);
+    is_as_described = fit_of(free) <= fit_of(match) + (stands ? kMoreInliers : kClearlyMore);
+    if (!is_as_described) match = free;
+  }
   if (is_as_described && T_odometry.position().norm() > kTellsDirection_m)
     is_as_described = !prefer_backwards(points, T_described, match);
-  if (!match.converged || match.inlier_share < kFewestInliers || !match.covariance.allFinite()) return std::nullopt;
+  // People hide most of what a robot sees that stands in a crowd. A search for any motion that finds none is not
+  // chance.
+  const double fewest = is_still ? kStillInliers : kFewestInliers;
+  if (!match.converged || match.inlier_share < fewest || !match.covariance.allFinite()) return std::nullopt;
   return MotionPair{T_odometry, match.T_reference_scan, match.covariance, is_as_described};
-}
-
-bool MotionPairs::prefer_any_way(const std::vector<Point>& points, const Pose2& T_odometry, double by,
-                                 ScanMatch& match) const {
-  const ScanMatch other = any_way(points, T_odometry);
-  if (fit_of(other) <= fit_of(match) + by) return false;
-  match = other;
-  return true;
 }
 
 /// Between walls that run along the way, scans lie over each other either way, but for a few points.

@@ -37,8 +37,7 @@ class OPAL_EXPORT MotionPairs {
   void begin_at(const Scan& scan, const Pose2& T_odom_base);
   ScanMatch near(const std::vector<Point>& points, const Pose2& T_laser) const;
   ScanMatch any_way(const std::vector<Point>& points, const Pose2& T_odometry) const;
-  // Each says whether it has put another motion in the place of `match`.
-  bool prefer_any_way(const std::vector<Point>& points, const Pose2& T_odometry, double by, ScanMatch& match) const;
+  // Says whether it has put another motion in the place of `match`.
   bool prefer_backwards(const std::vector<Point>& points, const Pose2& T_described, ScanMatch& match) const;
   std::optional<MotionPair> laid_over(const std::vector<Point>& points, const Pose2& T_odometry) const;
 

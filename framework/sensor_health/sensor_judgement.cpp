@@ -127,15 +127,18 @@ std::vector<SensorFinding> judge_motion(const MotionCalibration& drive, const Po
   return findings;
 }
 
+bool is_still_by_scans(const MotionPair& pair) {
+  return pair.T_scans.position().norm() < kMoves_m && std::abs(pair.T_scans.heading_rad()) < kMoves_rad;
+}
+
 std::vector<SensorFinding> judge_standing(std::span<const MotionPair> standing) {
   double moved_m = 0, turned_rad = 0;
   std::size_t moving = 0;
   for (const MotionPair& pair : standing) {
-    const double by_m = pair.T_scans.position().norm(), by_rad = std::abs(pair.T_scans.heading_rad());
-    if (by_m < kMoves_m && by_rad < kMoves_rad) continue;
+    if (is_still_by_scans(pair)) continue;
     ++moving;
-    moved_m += by_m;
-    turned_rad += by_rad;
+    moved_m += pair.T_scans.position().norm();
+    turned_rad += std::abs(pair.T_scans.heading_rad());
   }
   if (moving < kMovingMotions) return {};
   return {{Subject::standing_odometry, Verdict::contradicted, moved_m, 0, 0,

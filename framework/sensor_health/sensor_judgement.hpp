@@ -18,6 +18,9 @@ struct ToldWithin {
 /// What a calibration says of a description, subject by subject; subjects that are not known well enough are left out.
 OPAL_EXPORT std::vector<SensorFinding> judge_motion(const MotionCalibration& drive, const Pose2& T_base_laser);
 
+/// Whether scans lie over each other as those of a robot that stands; people in them do not move all of it.
+OPAL_EXPORT bool is_still_by_scans(const MotionPair& pair);
+
 /// What scans say of a robot that stands, by its odometry.
 /// @param standing  the newest motions without odometry.
 OPAL_EXPORT std::vector<SensorFinding> judge_standing(std::span<const MotionPair> standing);

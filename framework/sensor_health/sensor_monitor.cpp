@@ -12,6 +12,7 @@ constexpr std::size_t kStandingMotions = 10;
 constexpr std::size_t kKnownAfter = 8;    // motions, if they tell of the mount too, or
 constexpr std::size_t kEnoughAfter = 24;  // if they do not: if they say that all is fine,
 constexpr int kSkipped = 15;              // one of sixteen that follow will do
+constexpr double kStillFor_s = 1;         // as long as changed beams are looked at
 constexpr double kOtherView_m = 0.1, kOtherView_rad = 0.1;
 
 void keep(std::vector<MotionPair>& newest, const MotionPair& pair, std::size_t most) {
@@ -58,6 +59,8 @@ void SensorMonitor::clear() {
   standing_.clear();
   ranges_.clear();
   frozen_.clear();
+  was_frozen_ = false;
+  still_stamp_s_.reset();
   T_odom_ranges_.reset();
   of_motions_.clear();
   findings_.clear();
@@ -65,24 +68,31 @@ void SensorMonitor::clear() {
 
 bool SensorMonitor::add(const Scan& scan, const Pose2& T_odom_base) {
   const bool looked_at_ranges = look_at_ranges(scan, T_odom_base);
-  const bool was_frozen = frozen_.is_frozen();
   frozen_.add(scan, T_odom_base);
   const auto pair = motions_ ? motions_->add(scan, T_odom_base) : std::nullopt;
   if (pair) {
-    take(*pair);
+    take(*pair, scan.stamp_s);
     judge_motions();
   }
-  if (!pair && !looked_at_ranges && frozen_.is_frozen() == was_frozen) return false;
+  const bool is_frozen = is_odometry_frozen(scan.stamp_s);
+  if (!pair && !looked_at_ranges && is_frozen == was_frozen_) return false;
+  was_frozen_ = is_frozen;
   std::vector<SensorFinding> now = judge_ranges(ranges_, described_);  // first: wrong ranges tell nothing of motions
   now.insert(now.end(), of_motions_.begin(), of_motions_.end());
-  if (frozen_.is_frozen()) now.push_back(frozen_odometry(frozen_.changed_share()));
+  if (is_frozen) now.push_back(frozen_odometry(frozen_.changed_share()));
   const bool changed = !same_verdicts(findings_, now);
   findings_ = std::move(now);
   return changed;
 }
 
-void SensorMonitor::take(const MotionPair& pair) {
+bool SensorMonitor::is_odometry_frozen(double stamp_s) const {
+  const bool is_still = still_stamp_s_ && std::abs(stamp_s - *still_stamp_s_) <= kStillFor_s;
+  return frozen_.is_frozen() && !is_still;
+}
+
+void SensorMonitor::take(const MotionPair& pair, double stamp_s) {
   if (is_standstill(pair.T_odometry)) {
+    if (is_still_by_scans(pair)) still_stamp_s_ = stamp_s;
     keep(standing_, pair, kStandingMotions);
     if (!judge_standing(standing_).empty()) motions_->skip(0);  // the next motion refutes it
     return;

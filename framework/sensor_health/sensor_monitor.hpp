@@ -29,10 +29,12 @@ class OPAL_EXPORT SensorMonitor {
   const std::vector<SensorFinding>& findings() const { return findings_; }
 
  private:
-  void take(const MotionPair& pair);
+  void take(const MotionPair& pair, double stamp_s);
   /// @return false: the robot stands where the last one was taken.
   bool look_at_ranges(const Scan& scan, const Pose2& T_odom_base);
   void judge_motions();
+  /// Most beams have changed while odometry stood, and it is no crowd that walks about a robot that stands.
+  bool is_odometry_frozen(double stamp_s) const;
 
   LaserModel described_;
   std::optional<MotionPairs> motions_;
@@ -40,6 +42,8 @@ class OPAL_EXPORT SensorMonitor {
   std::vector<MotionPair> standing_;  ///< motions that odometry has none of
   RangeHabits ranges_;
   StandingOdometry frozen_;
+  bool was_frozen_ = false;                ///< at the newest scan
+  std::optional<double> still_stamp_s_;    ///< when scans last said that the robot stands
   std::optional<Pose2> T_odom_ranges_;     ///< where ranges were looked at last
   std::vector<SensorFinding> of_motions_;  ///< as the newest motion left them
   std::vector<SensorFinding> findings_;

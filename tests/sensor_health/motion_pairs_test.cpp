@@ -66,6 +66,18 @@ TEST_CASE("a motion ends after a quarter of a metre, a quarter of a radian or ha
   CHECK(drive.to({0.2, 0, 0}, 0.55));
 }
 
+TEST_CASE("a robot stands in a crowd if a search for any motion finds none, though most points are others") {
+  const Pose2 stands, moves(0.3, 0, 0);
+  for (const double inliers : {0.25, 0.45, 0.65}) {
+    Drive drive;
+    drive.matcher->inliers = [&](const Pose2&) { return inliers; };
+    CHECK(drive.to(stands, 0.55).has_value() == (inliers > 0.3));
+    CHECK(drive.to(moves).has_value() == (inliers > 0.6));
+    drive.matcher->change = [](ScanMatch& match) { match.T_reference_scan = Pose2(0.05, 0, 0); };
+    CHECK(drive.to(stands, 0.55).has_value() == (inliers > 0.6));
+  }
+}
+
 TEST_CASE("a motion from end to end is odometry and scans, the laser's in its own frame") {
   const Pose2 T_base_laser(0.3, 0.1, 1), T_motion(0.3, 0.02, 0.2);
   Drive drive(T_base_laser);

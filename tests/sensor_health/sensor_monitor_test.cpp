@@ -141,20 +141,21 @@ TEST_CASE("a bare corridor says nothing against a description, nor for it") {
 }
 
 TEST_CASE("a robot that stands in a crowd is not one whose odometry has frozen") {
-  const std::string kind = GENERATE("office", "hall", "corridor");
+  const std::string kind = GENERATE("office", "hall", "corridor", "warehouse");
   simulation::SimulationOptions options;
-  options.people = 25;
+  options.people = 60;
   simulation::Simulation robot(simulation::generate_building({kind, 1, 0, 0.5}).map, options, 1);
   Random random(1);
   robot.place(Pose2(robot.floor().anywhere(random), 0));
-  std::vector<Reading> readings;
+  SensorMonitors monitor({true_laser()}, matcher());
+  int frozen = 0;
   for (int step = 0; step < 600; ++step) {
     robot.drive({{0, 0}, 0}, 0.1);
-    readings.push_back({robot.scan(), robot.T_odom_base()});
+    monitor.add(sample_of(make_scan(robot.scan(), true_laser()), robot.T_odom_base(), true_laser().T_base_laser));
+    frozen += contradicts(monitor, Subject::standing_odometry) ? 1 : 0;
   }
-  SensorMonitors monitor = watched(readings, true_laser());
-  INFO(words(monitor));
-  CHECK(monitor.contradiction().empty());
+  INFO(kind);
+  CHECK(frozen == 0);
 }
 
 TEST_CASE("a laser that is turned by 30 degrees is noticed") {
