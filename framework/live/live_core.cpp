@@ -70,6 +70,8 @@ std::vector<HealthFinding> LiveCore::health(double received_s) const {
     findings.push_back(
         {is_wrong ? HealthFinding::Level::bad : HealthFinding::Level::doubtful, "sensor description", finding.words});
   }
+  if (const std::string doubt = localizer_.map_doubt(); !doubt.empty())
+    findings.push_back({HealthFinding::Level::doubtful, "map", doubt});
   return findings;
 }
 

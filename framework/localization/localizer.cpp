@@ -335,6 +335,7 @@ std::map<std::string, Score> Localizer::scores_of(HypothesisId hypothesis) const
 
 const std::vector<SensorFinding>& Localizer::sensor_findings() const { return state_->sensors.findings(); }
 const std::string& Localizer::why() const { return state_->status.belief().why; }
+std::string Localizer::map_doubt() const { return state_->status.map_doubt(); }
 const StageTimes& Localizer::last_times() const { return state_->times; }
 const std::map<std::string, int>& Localizer::plugin_failures() const { return state_->failures.counts(); }
 

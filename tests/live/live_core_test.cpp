@@ -1,6 +1,8 @@
 #include "live/live_core.hpp"
 #include "live_robot.hpp"
 
+#include "simulation/buildings/building.hpp"
+
 #include <opal/sensing/replay.hpp>
 
 #include <catch2/catch.hpp>
@@ -166,6 +168,15 @@ TEST_CASE("a laser that is described backwards is named, and nothing is called l
     return finding.level == HealthFinding::Level::bad && finding.words.find("laser FLASER") != std::string::npos;
   }));
   CHECK_FALSE(is_localized(all.answers.back()));
+}
+
+TEST_CASE("the map of another building is named, and that of this one is not") {
+  LiveRobot elsewhere(90);
+  LiveCore right(elsewhere.parts(), {}, nullptr);
+  CHECK_FALSE(played(right, elsewhere.arrivals).says("the map does not explain"));
+  elsewhere.map = simulation::generate_building({"office", 1, 800, 0.2}).map;
+  LiveCore wrong(elsewhere.parts(), {}, nullptr);
+  CHECK(played(wrong, elsewhere.arrivals).says("the map does not explain what the robot sees: no place held for"));
 }
 
 TEST_CASE("a good hint finds the place at once, and a bad one changes nothing in the end") {

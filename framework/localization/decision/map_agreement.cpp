@@ -35,8 +35,7 @@ MapAgreement agreement(const Observation& observation, const MapView& map, const
 }
 
 void MeanAgreement::add(const MapAgreement& scan, double tempering_weight) {
-  constexpr double kMemory = 0.8;
-  const double kept = std::pow(kMemory, tempering_weight);
+  const double kept = std::pow(memory_, tempering_weight);
   sum_ = {kept * sum_.met + (1 - kept) * scan.met, kept * sum_.passed + (1 - kept) * scan.passed};
 }
 

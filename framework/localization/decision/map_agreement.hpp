@@ -21,12 +21,16 @@ OPAL_EXPORT MapAgreement agreement(const Observation& observation, const MapView
 /// Mean of the newest agreements, where a whole piece of evidence counts more than a part of one.
 class OPAL_EXPORT MeanAgreement {
  public:
+  /// @param memory  share that is kept per whole piece of evidence.
+  explicit MeanAgreement(double memory = 0.8) : memory_(memory) {}
+
   /// @param tempering_weight  how much of a new piece of evidence the scan was, in (0, 1].
   void add(const MapAgreement& scan, double tempering_weight);
   void clear() { sum_ = {}; }
   double share() const { return sum_.share(); }
 
  private:
+  double memory_;
   MapAgreement sum_;
 };
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "localization/decision/map_agreement.hpp"
+#include "localization/decision/map_doubt.hpp"
 #include "localization/tree/hypothesis_set.hpp"
 
 #include <opal/localization/decision/pose_estimate.hpp>
@@ -25,7 +26,7 @@ class OPAL_EXPORT StatusEstimator {
  public:
   /// @param evidence_memory  as TrackingOptions.
   StatusEstimator(const StatusOptions& options, double evidence_memory)
-      : options_(options), evidence_memory_(evidence_memory) {}
+      : options_(options), evidence_memory_(evidence_memory), map_doubt_(options.localized_most_weight) {}
 
   /// @param alive         best first.
   /// @param T_local_base  newest pose in the local frame.
@@ -43,7 +44,12 @@ class OPAL_EXPORT StatusEstimator {
   const Belief& belief() const { return belief_; }
 
   /// While `why`, a sentence, is not empty, nothing is called localized: the sensor description is wrong.
-  void contradict(const std::string& why) { contradiction_ = why; }
+  void contradict(const std::string& why) {
+    contradiction_ = why;
+    if (!why.empty()) map_doubt_.clear();
+  }
+  /// That the map does not explain what the robot sees, in words; empty: it does. No status depends on it.
+  std::string map_doubt() const { return map_doubt_.words(); }
 
   /// Takes this much off what "none of these" has gathered, but leaves it at least `least_nat`: hypotheses begin anew.
   void settle(double nat, double least_nat) { none_nat_ = std::max(none_nat_ - nat, least_nat); }
@@ -88,6 +94,7 @@ class OPAL_EXPORT StatusEstimator {
   bool was_localized_ = false;
   double mean_scan_nat_ = 0;  ///< of the best hypothesis, over the newest scans
   MeanAgreement agreement_;   ///< since the best place is the same
+  MapDoubt map_doubt_;
   /// Of the best place over the best one elsewhere, in evidence.
   struct Lead {
     double nat = std::numeric_limits<double>::infinity();

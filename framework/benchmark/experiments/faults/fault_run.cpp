@@ -96,7 +96,7 @@ const std::vector<Trouble>& all_troubles() {
       {"odometry frozen", Fault::odometry_frozen, false, false, 10, "odometry"},
       {"wheels slip", Fault::wheels_slip, false, false, 10, "odometry"},
       {"laser mounted 180 degrees wrong", Fault::none, true, false, 0, "laser"},
-      {"another building's map", Fault::none, false, true, 0, ""}};
+      {"another building's map", Fault::none, false, true, 0, "the map"}};
   return troubles;
 }
 

@@ -13,7 +13,7 @@ struct HealthFinding {
     bad        ///< there is no answer, or none to rely on
   };
   Level level = Level::fine;  ///< how much it matters
-  std::string subject;        ///< "odometry", "clock", "sensor description", or the name of a laser
+  std::string subject;        ///< "odometry", "clock", "map", "sensor description", or the name of a laser
   std::string words;          ///< what was found, with its number: "laser front: no scan for 2.3 s"
 };
 

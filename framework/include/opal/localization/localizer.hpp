@@ -82,6 +82,9 @@ class OPAL_EXPORT Localizer {
   /// What the drive says of the sensor description, of all of which it has told enough. While one of them contradicts
   /// it, no estimate is called localized.
   const std::vector<SensorFinding>& sensor_findings() const;
+  /// That the map does not explain what the robot sees, as a sentence; empty: it does, or it is too soon to say. An
+  /// estimate may be called localized all the same.
+  std::string map_doubt() const;
   /// Why the newest status is what it is, in words; empty before the first update.
   const std::string& why() const;
   /// CPU time of the newest keyframe, by stage.
