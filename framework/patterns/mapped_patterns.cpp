@@ -1,6 +1,7 @@
 #include "patterns/mapped_patterns.hpp"
 
 #include "map/view/support_lines.hpp"
+#include "patterns/pattern_cache.hpp"
 #include "patterns/pattern_layer.hpp"
 
 namespace opal {
@@ -13,14 +14,14 @@ MappedPatterns patterns_of_layer(const MapView& map, const std::vector<Named<Pat
   return mapped;
 }
 
-PatternTable table_of(const Named<PatternTemplate>& each, std::span<const Feature> features) {
-  PatternTable table;
+PatternIndex index_of(const Named<PatternTemplate>& named, std::span<const Feature> features,
+                      const PatternCache& cache) {
   try {
-    each_pattern(*each.part, features, [&table](const PatternInstance& pattern) { table.add(pattern); });
+    return cache.index_of([&](const PatternCache::Visit& visit) { each_pattern(*named.part, features, visit); },
+                          features.size());
   } catch (const PluginError& error) {
-    throw PluginError(each.name + ": " + error.what());
+    throw PluginError(named.name + ": " + error.what());
   }
-  return table;
 }
 
 MappedPatterns all_patterns(const MapView& map, const std::vector<Named<PatternTemplate>>& templates) {
@@ -30,9 +31,9 @@ MappedPatterns all_patterns(const MapView& map, const std::vector<Named<PatternT
     mapped.members.add(member.numbers);
     features.push_back(std::move(member.feature));
   }
-  for (const auto& each : templates) {
-    mapped.by_template.emplace_back(table_of(each, features));
-  }
+  mapped.members.shrink_to_fit();
+  const PatternCache cache(map.kept_in());
+  for (const auto& each : templates) mapped.by_template.push_back(index_of(each, features, cache));
   return mapped;
 }
 

@@ -19,6 +19,11 @@ class MemberNumbers {
     numbers_.insert(numbers_.end(), numbers.begin(), numbers.end());
     ends_.push_back(static_cast<std::uint32_t>(numbers_.size()));
   }
+  /// Nothing will be added.
+  void shrink_to_fit() {
+    numbers_.shrink_to_fit();
+    ends_.shrink_to_fit();
+  }
   /// Of the member that was added after so many others.
   std::span<const MapFeatureNumber> operator[](int member) const {
     const std::uint32_t begin = member == 0 ? 0 : ends_[member - 1];

@@ -1,11 +1,11 @@
 #pragma once
 
+#include "patterns/invariant_tree.hpp"
 #include "patterns/pattern_table.hpp"
 
 #include <opal/patterns/pattern_template.hpp>
 
 #include <functional>
-#include <memory>
 #include <span>
 #include <vector>
 
@@ -24,22 +24,22 @@ OPAL_EXPORT void each_pattern(const PatternTemplate& pattern_template, std::span
 /// Immutable after construction; frame: that of the features (`map`).
 class OPAL_EXPORT PatternIndex {
  public:
-  explicit PatternIndex(PatternTable patterns);
-  explicit PatternIndex(std::span<const PatternInstance> patterns) : PatternIndex(PatternTable(patterns)) {}
-  ~PatternIndex();
-  PatternIndex(PatternIndex&&) noexcept;
+  explicit PatternIndex(PatternList patterns);
+  explicit PatternIndex(std::span<const PatternInstance> patterns) : PatternIndex(PatternList(patterns)) {}
+  /// Of what was indexed before.
+  PatternIndex(PatternTable patterns, InvariantTree tree) : tree_(std::move(tree)), patterns_(std::move(patterns)) {}
 
   const PatternTable& patterns() const { return patterns_; }
+  const InvariantTree& tree() const { return tree_; }
 
   /// How many mapped patterns the observed one may be, counted up to `limit`.
-  std::size_t count(const PatternInstance& observed, std::size_t limit) const;
+  std::size_t count(const PatternInstance& observed, std::size_t limit) const { return tree_.count(observed, limit); }
   /// Positions in patterns() of those that the observed one may be, in increasing order.
   std::vector<int> find(const PatternInstance& observed) const;
 
  private:
-  struct Tree;
+  InvariantTree tree_;
   PatternTable patterns_;
-  std::unique_ptr<const Tree> tree_;
 };
 
 }  // namespace opal

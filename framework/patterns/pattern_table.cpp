@@ -15,11 +15,11 @@ void expect_alike(const char* what, std::size_t found, std::size_t expected) {
 
 }  // namespace
 
-PatternTable::PatternTable(std::span<const PatternInstance> patterns) {
+PatternList::PatternList(std::span<const PatternInstance> patterns) {
   for (const PatternInstance& pattern : patterns) add(pattern);
 }
 
-void PatternTable::add(const PatternInstance& pattern) {
+void PatternList::add(const PatternInstance& pattern) {
   if (frames_.empty()) {
     dimensions_ = pattern.invariants.size();
     slots_ = pattern.members.size();
@@ -34,10 +34,17 @@ void PatternTable::add(const PatternInstance& pattern) {
   for (const Invariant& invariant : pattern.invariants) values_.push_back(static_cast<float>(invariant.value));
 }
 
-void PatternTable::shrink_to_fit() {
-  frames_.shrink_to_fit();
-  members_.shrink_to_fit();
-  extents_m_.shrink_to_fit();
+namespace {
+
+template <class T>
+ReadOnlyArray<T> column(std::vector<T>& values) {
+  values.shrink_to_fit();
+  return ReadOnlyArray<T>(std::move(values));
 }
+
+}  // namespace
+
+PatternTable::PatternTable(PatternList patterns)
+    : columns_{patterns.slots_, column(patterns.frames_), column(patterns.members_), column(patterns.extents_m_)} {}
 
 }  // namespace opal

@@ -52,6 +52,7 @@ FaceEnds FaceEnds::of(const MapView& map) {
 
 FaceEnds::FaceEnds(std::vector<End> ends) : ends_(std::move(ends)) {
   if (ends_.empty()) return;
+  ends_.shrink_to_fit();
   low_ = ends_.front().position;
   Point high = low_;
   for (const End& end : ends_) {

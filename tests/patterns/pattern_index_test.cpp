@@ -99,7 +99,7 @@ TEST_CASE("the pattern index finds exactly what a walk over all patterns finds")
 }
 
 TEST_CASE("an index of no patterns answers that there are none") {
-  const PatternIndex index{PatternTable()};
+  const PatternIndex index{PatternList()};
   CHECK(index.find(with_invariants({{1.0, 0.1, Comparison::equal}})).empty());
   CHECK(index.count(with_invariants({{1.0, 0.1, Comparison::equal}}), 10) == 0);
 }
@@ -149,7 +149,8 @@ TEST_CASE("a table keeps how far each pattern extends, whichever of them do") {
   std::vector<PatternInstance> patterns{extended(-2, 0), extended(0, 0), extended(0, 3), extended(0, 0)};
   for (int turn = 0; turn < 4; ++turn) {
     std::rotate(patterns.begin(), patterns.begin() + 1, patterns.end());
-    const PatternTable table(patterns), first(std::span<const PatternInstance>(patterns).first(1));
+    const PatternTable table{PatternList(patterns)},
+        first{PatternList(std::span<const PatternInstance>(patterns).first(1))};
     REQUIRE(table.size() == 4);
     for (int k = 0; k < 4; ++k)
       CHECK(table.extent_m(k) == std::array<double, 2>{patterns[k].extent_min_m, patterns[k].extent_max_m});
@@ -160,14 +161,14 @@ TEST_CASE("a table keeps how far each pattern extends, whichever of them do") {
 TEST_CASE("patterns without invariants are all alike, however many there are") {
   for (const int count : {0, 1, 16, 17, 1000}) {
     const PatternIndex index(
-        PatternTable(std::vector<PatternInstance>(static_cast<std::size_t>(count), with_invariants({}))));
+        PatternList(std::vector<PatternInstance>(static_cast<std::size_t>(count), with_invariants({}))));
     CHECK(index.find(with_invariants({})).size() == static_cast<std::size_t>(count));
     CHECK(index.count(with_invariants({}), 5) == static_cast<std::size_t>(std::min(count, 5)));
   }
 }
 
 TEST_CASE("a pattern with another number of invariants than the first of its template is refused") {
-  PatternTable table;
+  PatternList table;
   table.add(with_invariants({{1, 0.1, Comparison::equal}}));
   CHECK_THROWS_AS(table.add(with_invariants({})), PluginError);
   CHECK(table.size() == 1);

@@ -38,7 +38,10 @@ FeatureIndex::FeatureIndex(const MapView& map) {
     sizes_[feature.type][feature.geometry.index()].push_back(size_of(feature.geometry));
   }
   for (auto& [type, by_geometry] : sizes_)
-    for (std::vector<double>& sizes : by_geometry) std::sort(sizes.begin(), sizes.end());
+    for (std::vector<double>& sizes : by_geometry) {
+      sizes.shrink_to_fit();
+      std::sort(sizes.begin(), sizes.end());
+    }
 }
 
 std::size_t FeatureIndex::expected(const Feature& observed) const {

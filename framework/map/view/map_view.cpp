@@ -44,6 +44,7 @@ std::vector<MapFeatureNumber> features_of(const SemanticMap& map, const std::str
   for (std::size_t k = 0; k < map.features().size(); ++k)
     if (map.features()[k].sensor == sensor) numbers.emplace_back(k);
   if (numbers.empty()) throw ConfigError(map.name() + ": holds no feature that sensor '" + sensor + "' can perceive");
+  numbers.shrink_to_fit();
   return numbers;
 }
 
@@ -141,7 +142,8 @@ double meets_circle(const Ray& ray, const Surface& circle) {
 
 struct MapView::Index {
   Index(const SemanticMap& map, const std::string& sensor, const std::string& kept_in)
-      : numbers(features_of(map, sensor)),
+      : folder(kept_in),
+        numbers(features_of(map, sensor)),
         bounds(bounds_of(map, numbers)),
         surfaces(grid_of(map, numbers, bounds, kept_in)) {
     std::vector<Entry> entries;
@@ -178,6 +180,7 @@ struct MapView::Index {
     return found;
   }
 
+  std::string folder;  ///< of what is prepared
   std::vector<MapFeatureNumber> numbers;
   Extent bounds;
   SurfaceGrid surfaces;
@@ -191,6 +194,7 @@ MapView::MapView(std::shared_ptr<const SemanticMap> map, const std::string& sens
 MapView::~MapView() = default;
 
 const SemanticMap& MapView::map() const { return *map_; }
+const std::string& MapView::kept_in() const { return index_->folder; }
 const MapFeature& MapView::feature(MapFeatureNumber number) const { return map_->feature(number); }
 const Surface& MapView::surface(MapFeatureNumber number) const { return index_->surface(number); }
 std::span<const MapFeatureNumber> MapView::features() const { return index_->numbers; }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "map/view/read_only_array.hpp"
+#include "common/prepared/read_only_array.hpp"
 #include "map/view/surface_tile.hpp"
 
 #include <array>

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "common/prepared/prepared_folder.hpp"
 #include "map/view/surface_tiles.hpp"
 
 #include <filesystem>
@@ -7,8 +8,7 @@
 
 namespace opal {
 
-/// Keeps the tiles of large maps in files, one for each map. They are looked up by content: another map has another
-/// file, and so has a program that paints in another way. Two programs may make the same file at once.
+/// Keeps the tiles of large maps in files, one for each map.
 class OPAL_EXPORT TileCache {
  public:
   /// The tiles of smaller maps are painted sooner than a file is opened and checked.
@@ -24,12 +24,7 @@ class OPAL_EXPORT TileCache {
   SurfaceTiles tiles_of(const TileLayout& layout, const std::vector<NumberedShape>& shapes, int features) const;
 
  private:
-  void forget_old() const;
-  /// @return why nothing is kept, if nothing is: another program may have kept the same meanwhile.
-  std::string keep(const std::filesystem::path& file, const std::string& digest, const TileLayout& layout,
-                   const SurfaceTiles& tiles) const;
-
-  std::filesystem::path folder_;
+  PreparedFolder folder_;
   std::size_t from_;
 };
 

@@ -13,8 +13,7 @@ OPAL_EXPORT std::string digest_of(const TileLayout& layout, const std::vector<Nu
 
 /// A file that is mapped into memory where it is read: what nobody looks at takes none. It is of this kind of machine.
 /// @throws WriteError. The file is there when it is whole.
-OPAL_EXPORT void write_tiles(const std::filesystem::path& file, const std::string& digest, const TileLayout& layout,
-                             const SurfaceTiles& tiles);
+OPAL_EXPORT void write_tiles(const std::filesystem::path& file, const std::string& digest, const SurfaceTiles& tiles);
 
 /// @param digest  that the file must have.
 /// @param features  every number in the file must be less.

@@ -17,7 +17,7 @@ struct DistanceTemplate final : PatternTemplate {
 
 /// The first number says how many patterns the map has at 1 m, the second at 2 m, and so on.
 std::vector<MappedTemplate> templates_with(const std::vector<std::size_t>& counts) {
-  PatternTable table;
+  PatternList table;
   for (std::size_t k = 0; k < counts.size(); ++k)
     for (std::size_t copy = 0; copy < counts[k]; ++copy) {
       PatternInstance mapped{{0}, {{static_cast<double>(k + 1), 0}}, Pose2()};

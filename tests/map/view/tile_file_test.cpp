@@ -49,7 +49,7 @@ TileCache cache_in(const std::string& folder) { return TileCache(folder, 50); }
 /// The tiles of a map in a file.
 struct Written {
   Written() {
-    write_tiles(file, map.digest, map.layout, map.painted());
+    write_tiles(file, map.digest, map.painted());
     whole = content_of(file);
   }
   TemporaryFolder folder;
@@ -93,7 +93,7 @@ TEST_CASE("tiles that were written are read as they were") {
   const TemporaryFolder folder;
   const Painted map = some_walls(GENERATE(1u, 2u, 3u));
   const fs::path file = folder.path_of("map.tiles");
-  write_tiles(file, map.digest, map.layout, map.painted());
+  write_tiles(file, map.digest, map.painted());
   const auto read = map.read(file);
   REQUIRE(read);
   CHECK(same(*read, map.painted()));
@@ -104,7 +104,7 @@ TEST_CASE("tiles outlive their file") {
   std::optional<SurfaceTiles> read;
   {
     const TemporaryFolder folder;
-    write_tiles(folder.path_of("map.tiles"), map.digest, map.layout, map.painted());
+    write_tiles(folder.path_of("map.tiles"), map.digest, map.painted());
     read = map.read(folder.path_of("map.tiles"));
   }
   REQUIRE(read);
@@ -127,7 +127,7 @@ TEST_CASE("a file that is not there, or of another map, gives nothing") {
   const Painted map = some_walls(1), other = some_walls(2);
   const fs::path file = folder.path_of("map.tiles");
   CHECK_FALSE(map.read(file));
-  write_tiles(file, map.digest, map.layout, map.painted());
+  write_tiles(file, map.digest, map.painted());
   CHECK_FALSE(other.read(file));
   TileLayout shorter = map.layout;
   --shorter.rows;

@@ -49,6 +49,7 @@ class OPAL_EXPORT MapView {
   MapView& operator=(const MapView&) = delete;
 
   const SemanticMap& map() const;                            ///< the whole map, other sensors' features included
+  const std::string& kept_in() const;                        ///< folder of what is prepared; empty: there is none
   const MapFeature& feature(MapFeatureNumber number) const;  ///< perceivable or not
   /// All perceivable features.
   std::span<const MapFeatureNumber> features() const;
