@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cctype>
 #include <numeric>
+#include <unordered_map>
 
 namespace opal {
 namespace {
@@ -47,21 +48,38 @@ std::vector<std::string> point_names(const MapFeature& feature) {
   return names;
 }
 
+/// Names of types, of which a map has few.
+class TypeNames {
+ public:
+  explicit TypeNames(MapDraft& draft) : draft_(draft) {}
+  /// @return whether the type is new.
+  bool name(std::string& type, const std::string& place) {
+    const auto [entry, is_new] = names_.try_emplace(type);
+    if (is_new) entry->second = type_name(draft_, place, type);
+    type = entry->second;
+    return is_new;
+  }
+
+ private:
+  MapDraft& draft_;
+  std::unordered_map<std::string, std::string> names_;  ///< by how they are written
+};
+
 void name_types(MapDraft& draft) {
+  TypeNames of_objects(draft), of_features(draft), of_patterns(draft);
   for (std::size_t i = 0; i < draft.objects.size(); ++i) {
     std::string& type = draft.objects[i].type;
-    type = type_name(draft, draft.object_places[i], type);
-    if (vocabulary::is_reserved_type(vocabulary::full_iri(type)))
+    const bool is_new = of_objects.name(type, draft.object_places[i]);
+    if (is_new && vocabulary::is_reserved_type(vocabulary::full_iri(type)))
       draft.fail(draft.object_places[i], "object of type " + type + ", expected the type of a thing in a building");
   }
   for (std::size_t i = 0; i < draft.features.size(); ++i) {
     MapFeature& feature = draft.features[i];
     if (feature.type.empty()) feature.type = vocabulary::default_feature_type(feature.geometry);
-    feature.type = type_name(draft, draft.feature_places[i], feature.type);
+    of_features.name(feature.type, draft.feature_places[i]);
   }
   for (std::size_t i = 0; i < draft.patterns.size(); ++i) {
-    std::string& type = draft.patterns[i].pattern_template;
-    type = type_name(draft, draft.pattern_places[i], type);
+    of_patterns.name(draft.patterns[i].pattern_template, draft.pattern_places[i]);
   }
 }
 
@@ -86,12 +104,18 @@ void name_ids(MapDraft& draft) {
 template <class Element, class Before>
 std::vector<Id<Element>> sort_elements(std::vector<Element>& elements, std::vector<std::string>& places,
                                        Before before) {
+  std::vector<Id<Element>> new_number(elements.size());
+  if (std::is_sorted(elements.begin(), elements.end(), before)) {  // as `opal map` writes them
+    for (std::size_t k = 0; k < elements.size(); ++k) new_number[k] = Id<Element>(k);
+    return new_number;
+  }
   std::vector<int> order(elements.size());
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return before(elements[a], elements[b]); });
   std::vector<Element> sorted;
   std::vector<std::string> sorted_places;
-  std::vector<Id<Element>> new_number(elements.size());
+  sorted.reserve(elements.size());
+  sorted_places.reserve(places.size());
   for (const int old_position : order) {
     new_number[old_position] = Id<Element>(sorted.size());
     sorted.push_back(std::move(elements[old_position]));

@@ -1,13 +1,13 @@
 #include "map/semantic_map_draft.hpp"
 
+#include "map/claimed_names.hpp"
 #include "map/map_vocabulary.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <map>
 #include <numbers>
-#include <set>
+#include <string_view>
 #include <unordered_map>
 
 namespace opal {
@@ -38,40 +38,6 @@ void check_point_names(const MapDraft& draft, std::size_t i) {
 
 // ---------------------------------------------------------------- ids
 
-std::string article(const std::string& noun) { return (noun == "object" ? "an " : "a ") + noun; }
-
-/// What ids stand for, so that no two things have the same.
-class Names {
- public:
-  explicit Names(const MapDraft& draft) : draft_(draft) {}
-
-  void claim(const std::string& id, const char* what, const std::string& place) {
-    check_usable(id, what, place);
-    const auto [entry, is_new] = what_.try_emplace(id, what);
-    if (!is_new && std::string(entry->second) != what)
-      draft_.fail(place, "id '" + id + "' stands for " + article(entry->second) + " and " + article(what) +
-                             ", expected one id for one thing");
-  }
-  void claim_alone(const std::string& id, const char* what, const std::string& place) {
-    if (what_.contains(id) && std::string(what_.at(id)) == what)
-      draft_.fail(place, "id '" + id + "' stands for two " + what + "s, expected an id of its own");
-    claim(id, what, place);
-  }
-
- private:
-  void check_usable(const std::string& id, const char* what, const std::string& place) const {
-    if (id.empty()) draft_.fail(place, std::string("the id of a ") + what + " is empty, expected a name");
-    const bool keyword = id.size() > 1 && id[0] == '@' && std::all_of(id.begin() + 1, id.end(), [](char c) {
-                           return std::isalpha(static_cast<unsigned char>(c)) != 0;
-                         });
-    if (keyword || vocabulary::is_blank(id))
-      draft_.fail(place, "id '" + id + "' has a meaning of its own in JSON-LD, expected another name");
-  }
-
-  const MapDraft& draft_;
-  std::unordered_map<std::string, const char*> what_;
-};
-
 /// Length in bytes of the UTF-8 character at `text[i]` (RFC 3629, section 4); 0 if there is none.
 std::size_t utf8_length(const std::string& text, std::size_t i) {
   const auto byte = [&](std::size_t k) { return k < text.size() ? static_cast<unsigned char>(text[k]) : 0u; };
@@ -97,7 +63,7 @@ void check_text(const MapDraft& draft, const std::string& place, const std::stri
   }
 }
 
-void claim_feature(const MapDraft& draft, std::size_t i, Names& names) {
+void claim_feature(const MapDraft& draft, std::size_t i, ClaimedNames& names) {
   const MapFeature& feature = draft.features[i];
   const std::string& place = draft.feature_places[i];
   const bool is_point = kind_of(feature.geometry) == GeometryKind::point;
@@ -141,7 +107,7 @@ std::string explicit_type(const MapFeature& feature) {
 }
 
 void check_representations(const MapDraft& draft) {
-  std::unordered_map<std::string, std::size_t> first_use;
+  std::unordered_map<std::string_view, std::size_t> first_use;
   for (std::size_t i = 0; i < draft.features.size(); ++i) {
     const MapFeature& feature = draft.features[i];
     if (feature.representation.empty()) continue;
@@ -257,7 +223,7 @@ void check_references(const MapDraft& draft) {
 }
 
 void check_ids(const MapDraft& draft) {
-  Names names(draft);
+  ClaimedNames names(draft);
   check_text(draft, "name", draft.name);
   const auto claim = [&](const std::string& id, const char* what, const std::string& place, const std::string& more) {
     names.claim_alone(id, what, place);

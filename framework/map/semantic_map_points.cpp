@@ -1,5 +1,7 @@
 #include "map/semantic_map_draft.hpp"
 
+#include <memory_resource>
+#include <string_view>
 #include <unordered_map>
 
 namespace opal {
@@ -41,7 +43,9 @@ std::vector<const char*> point_roles(const Geometry& geometry) {
 std::string text_of(double number) { return nlohmann::json(number).dump(); }
 
 void unify_shared_points(MapDraft& draft) {
-  std::unordered_map<std::string, PlacedPoint> known;
+  std::pmr::monotonic_buffer_resource memory;
+  std::pmr::unordered_map<std::string_view, PlacedPoint> known(&memory);
+  known.reserve(2 * draft.features.size());
   for (std::size_t i = 0; i < draft.features.size(); ++i) {
     MapFeature& feature = draft.features[i];
     const std::vector<Point*> points = points_of(feature.geometry);

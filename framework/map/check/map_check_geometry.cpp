@@ -2,9 +2,12 @@
 
 #include "map/semantic_map_draft.hpp"
 
+#include <boost/container/static_vector.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <string_view>
 #include <tuple>
 #include <unordered_map>
 
@@ -49,17 +52,17 @@ class NearPoints {
       for (const int other : found->second)
         if (near < 0 && (points_[other] - point).norm() < kSamePoint_m) near = other;
     });
-    std::vector<int>& here = cells_[home];
-    if (here.size() < kKeptPerCell) here.push_back(static_cast<int>(points_.size()));
+    Few& here = cells_[home];
+    if (here.size() < here.capacity()) here.push_back(static_cast<int>(points_.size()));
     points_.push_back(point);
     return near;
   }
 
  private:
-  static constexpr std::size_t kKeptPerCell = 8;
+  using Few = boost::container::static_vector<int, 8>;
   std::vector<Point> points_;
   std::vector<int> places_;  ///< by point, if each was asked for its place
-  std::unordered_map<Cell, std::vector<int>, CellHash> cells_;
+  std::unordered_map<Cell, Few, CellHash> cells_;
 };
 
 bool has_topology(const Geometry& geometry) {
@@ -114,7 +117,7 @@ std::vector<PointPair> unshared_points(const SemanticMap& map) {
     Point position;
     MapObjectNumber object;
   };
-  std::map<std::string, Place> points;
+  std::map<std::string_view, Place> points;
   for (const MapFeature& feature : map.features())
     if (has_topology(feature.geometry) && is_exact(feature)) {
       const std::vector<Point> positions = points_of(feature.geometry);
@@ -127,14 +130,14 @@ std::vector<PointPair> unshared_points(const SemanticMap& map) {
   for (const auto& point : points) {
     const int near = near_points.add(point.second.position);
     if (near >= 0 && !(point.second.object == known[near]->second.object && is_imported(map, point.second.object)))
-      pairs.push_back({point.first, known[near]->first});
+      pairs.push_back({std::string(point.first), std::string(known[near]->first)});
     known.push_back(&point);
   }
   return pairs;
 }
 
 std::vector<std::pair<MapFeatureNumber, MapFeatureNumber>> duplicate_features(const SemanticMap& map) {
-  using Key = std::tuple<std::string, std::size_t, int, int>;  // sensor, kind, places of the points
+  using Key = std::tuple<int, int, std::size_t, std::string_view>;  // places of the points, kind, sensor
   NearPoints near_points;
   std::map<Key, std::vector<MapFeatureNumber>> features_at;
   std::vector<std::pair<MapFeatureNumber, MapFeatureNumber>> pairs;
@@ -144,7 +147,7 @@ std::vector<std::pair<MapFeatureNumber, MapFeatureNumber>> duplicate_features(co
     const std::vector<Point> points = points_of(feature.geometry);
     for (std::size_t k = 0; k < points.size(); ++k) places[k] = near_points.place_of(points[k]);
     std::vector<MapFeatureNumber>& others =
-        features_at[{feature.sensor, feature.geometry.index(), places[0], places[1]}];
+        features_at[{places[0], places[1], feature.geometry.index(), feature.sensor}];
     const auto same = std::find_if(others.begin(), others.end(), [&](MapFeatureNumber other) {
       return alike(map.feature(other).geometry, feature.geometry);
     });
@@ -188,14 +191,14 @@ std::vector<MapFeatureNumber> backward_faces(const SemanticMap& map) {
     Met *at_begin, *at_end;
   };
   NearPoints near_points;
-  std::map<std::pair<std::string, int>, Met> met;  // by sensor and place
+  std::map<std::pair<int, std::string_view>, Met> met;  // by place and sensor
   std::vector<Face> faces;
   for (std::size_t i = 0; i < map.features().size(); ++i) {
     const MapFeature& feature = map.features()[i];
     const auto* face = std::get_if<Segment>(&feature.geometry);
     if (face == nullptr || feature.sensor.empty() || is_imported(map, feature.object)) continue;
-    faces.push_back({MapFeatureNumber(i), &met[{feature.sensor, near_points.place_of(face->begin)}],
-                     &met[{feature.sensor, near_points.place_of(face->end)}]});
+    faces.push_back({MapFeatureNumber(i), &met[{near_points.place_of(face->begin), feature.sensor}],
+                     &met[{near_points.place_of(face->end), feature.sensor}]});
     ++faces.back().at_begin->begins;
     ++faces.back().at_end->ends;
   }
@@ -207,7 +210,9 @@ std::vector<MapFeatureNumber> backward_faces(const SemanticMap& map) {
 }
 
 int count_shared_points(const SemanticMap& map) {
-  std::unordered_map<std::string, std::pair<const std::string*, bool>> first_feature;  // and whether there is another
+  std::unordered_map<std::string_view, std::pair<const std::string*, bool>>
+      first_feature;  // and whether there is another
+  first_feature.reserve(2 * map.features().size());
   for (const MapFeature& feature : map.features())
     for (const std::string& point : feature.points) {
       const auto [entry, is_new] = first_feature.try_emplace(point, &feature.id, false);

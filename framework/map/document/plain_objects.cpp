@@ -123,6 +123,12 @@ bool is_object(const json& node) {
 
 }  // namespace
 
+std::string_view PlainObjects::kept(const std::string& id) {
+  char* copy = static_cast<char*>(memory_.allocate(id.size(), 1));
+  std::copy(id.begin(), id.end(), copy);
+  return {copy, id.size()};
+}
+
 bool PlainObjects::take(const json& node) {
   if (!node.is_object()) throw NotPlain();
   if (is_sensor(node)) return sensors_.insert(plain_id(node["@id"])).second;
@@ -164,7 +170,8 @@ void PlainObjects::read_representation(const json& node, MapObjectNumber object)
       throw NotPlain();
   }
   if (geometry == nullptr) throw NotPlain();
-  if (!feature.representation.empty() && !representations_.insert(feature.representation).second) throw NotPlain();
+  if (!feature.representation.empty() && !representations_.insert(kept(feature.representation)).second)
+    throw NotPlain();
   if (!feature.sensor.empty()) perceiving_sensors_.insert(feature.sensor);
   feature.position_sigma_m = position_sigma_m.value_or(feature.position_sigma_m);
   feature.existence = existence.value_or(feature.existence);
@@ -187,7 +194,7 @@ void PlainObjects::read_geometry(const json& node, MapFeature feature) {
   feature.existence = definition.existence.value_or(feature.existence);
   feature.geometry = read_shape(node, feature);
   const std::size_t of_shape = std::holds_alternative<OrientedPoint>(feature.geometry) ? 5 : 4;
-  if (others != of_shape || !geometries_.try_emplace(feature.id, definition).second) throw NotPlain();
+  if (others != of_shape || !geometries_.try_emplace(kept(feature.id), definition).second) throw NotPlain();
   features_.push_back(std::move(feature));
 }
 
@@ -230,7 +237,7 @@ Point PlainObjects::read_point(const json& node, const char* role, MapFeature& f
 
 void PlainObjects::define_point(const std::string& id, const Point& position) {
   if (!(position.cwiseAbs().maxCoeff() <= kFarthest_m)) throw NotPlain();
-  if (!points_.try_emplace(id, position).second) throw NotPlain();
+  if (!points_.try_emplace(kept(id), position).second) throw NotPlain();
 }
 
 /// What several sensors perceive is written in full once.

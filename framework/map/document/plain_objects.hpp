@@ -4,8 +4,10 @@
 
 #include <nlohmann/json.hpp>
 
+#include <memory_resource>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <unordered_map>
 #include <unordered_set>
 #include <vector>
@@ -50,11 +52,15 @@ class PlainObjects {
   void copy_geometries();
   void place_points();
 
+  /// A copy that stays where it is.
+  std::string_view kept(const std::string& id);
+
   std::vector<MapObject> objects_;
   std::vector<MapFeature> features_;
-  std::unordered_map<std::string, Definition> geometries_;
-  std::unordered_map<std::string, Point> points_;
-  std::unordered_set<std::string> representations_;  ///< that have a name
+  std::pmr::monotonic_buffer_resource memory_;  ///< of what is known by its id: it goes away as one
+  std::pmr::unordered_map<std::string_view, Definition> geometries_{&memory_};
+  std::pmr::unordered_map<std::string_view, Point> points_{&memory_};
+  std::pmr::unordered_set<std::string_view> representations_{&memory_};  ///< that have a name
   std::unordered_set<std::string> sensors_, perceiving_sensors_;
   std::vector<MapFeatureNumber> without_geometry_;  ///< it is written elsewhere
   std::vector<Mention> mentioned_points_;
