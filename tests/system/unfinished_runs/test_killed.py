@@ -84,12 +84,12 @@ class Killed(RunTest):
         self.addCleanup(os.environ.pop, "OPAL_PREPARED_CACHE")
         takes_s = self.timed(words)
         new, prepared = self.contents(["out/results.csv"]), self.prepared()
-        self.assertEqual(len(prepared), 1, "the map is too small to be prepared")
+        self.assertTrue(prepared, "the map is too small to be prepared")
         for _ in range(KILLS):
             for file in (self.folder / "prepared").iterdir():
                 file.unlink()
             self.kill_once(words, 0.8 * takes_s)
-            self.assertIn(self.prepared(), ({}, prepared))
+            self.assertLessEqual(self.prepared().items(), prepared.items())
             self.run_to_its_end(*words)
             self.assertEqual(self.contents(["out/results.csv"]), new)
             self.assertEqual(self.prepared(), prepared)
