@@ -1,74 +1,32 @@
 #include "learning/drive_evidence.hpp"
 
-#include "survey/pose_tracker.hpp"
-#include "survey/track_smoothing.hpp"
+#include "learning/followed_leg.hpp"
+#include "survey/scan_odometry.hpp"
 
-#include <opal/sensing/lines/line_extraction.hpp>
-#include <opal/sensing/scan_chains.hpp>
-
+#include <iterator>
 #include <utility>
 
 namespace opal {
 namespace {
 
-// The tracker and the localizer are two programs with one scan: where they differ by more, one of them is wrong.
-constexpr double kAgree_m = 0.4, kAgree_rad = 0.15;
-constexpr double kLeastAgreement = 0.9;
-constexpr int kFewestComparisons = 5;
-// A place that is passed again after so much driving is visited again.
-constexpr double kVisit_m = 60;
-constexpr std::size_t kBeamStride = 4;
+// Visits whose poses are solved together: enough that no single wall decides, few enough to be told while driving.
+constexpr std::size_t kTogether = 10;
 
-/// What was known when localizer and tracker agreed last.
-struct LastAgreement {
-  MapBelief belief;
-  std::size_t keyframes = 0;
-  double driven_m = 0;
-};
-
-/// One stretch of a drive, followed from where the localizer called the robot localized.
-struct Stretch {
-  PoseTracker tracker;
-  Eigen::Vector3d start_sigma;
-  std::vector<KeyframeView> views;
-  LastAgreement agreement;
-  int agreed = 0, compared = 0;
-  double driven_m = 0;
-  Pose2 T_odom_before;
-
-  Stretch(const LocalizerParts& parts, const Eigen::Vector3d& sigma, const Pose2& T_odom_base)
-      : tracker(parts), start_sigma(sigma), T_odom_before(T_odom_base) {}
-
-  bool is_sound() const {
-    return compared >= kFewestComparisons && agreed >= kLeastAgreement * compared && agreement.keyframes > 1;
+/// Shares out, along a track, what its end is away from where it should be. @return false if that is too far.
+bool close(std::vector<TrackedKeyframe>& track, const Pose2& end) {
+  constexpr double kWay = 0.05, kLeast_m = 0.5, kMost_rad = 0.3;
+  double way_m = 0;
+  for (const TrackedKeyframe& keyframe : track) way_m += distance_m(Pose2(), keyframe.T_before_now);
+  const Pose2& found = track.back().T_map_base;
+  if (distance_m(found, end) > kLeast_m + kWay * way_m || angle_between_rad(found, end) > kMost_rad) return false;
+  const Point off = end.position() - found.position();
+  const double turn = wrap_angle(end.heading_rad() - found.heading_rad());
+  for (std::size_t k = 0; k < track.size(); ++k) {
+    const double share = static_cast<double>(k) / static_cast<double>(track.size() - 1);
+    Pose2& pose = track[k].T_map_base;
+    pose = Pose2(Point(pose.position() + share * off), pose.heading_rad() + share * turn);
   }
-  /// What comes after the last agreement is not learned from.
-  void note_agreement() {
-    constexpr double kApart_m = 2;  // a copy of all that is believed of a large map costs time
-    if (agreement.keyframes > 0 && driven_m - agreement.driven_m < kApart_m) return;
-    agreement = {tracker.belief(), tracker.track().size(), driven_m};
-  }
-};
-
-KeyframeView view_of(const Sample& sample) {
-  KeyframeView view;
-  for (const LaserView& laser : sample.views) {
-    const ScanChains chains = chained(laser.scan, ChainOptions{});
-    for (const Line& line : extract_lines(chains, LineExtractionOptions{}))
-      view.faces.push_back(transformed(laser.T_base_laser, line.segment));
-    for (std::size_t k = 0; k < laser.scan.points.size(); k += kBeamStride)
-      view.beams.emplace_back(laser.T_base_laser.position(), laser.T_base_laser * laser.scan.points[k].position);
-  }
-  return view;
-}
-
-VisitEvidence evidence_of(const Stretch& stretch, const SemanticMap& map) {
-  const std::span<const TrackedKeyframe> track = std::span(stretch.tracker.track()).first(stretch.agreement.keyframes);
-  const SmoothedTrack smoothed =
-      *smooth_track(stretch.tracker.map(), track, stretch.start_sigma, stretch.agreement.belief);
-  return {deviations_of(map, smoothed.belief),
-          unmapped_faces(stretch.tracker.map(), smoothed.belief, std::span(stretch.views).first(track.size()),
-                         smoothed.T_map_base)};
+  return true;
 }
 
 }  // namespace
@@ -76,47 +34,84 @@ VisitEvidence evidence_of(const Stretch& stretch, const SemanticMap& map) {
 struct DriveObserver::State {
   LocalizerParts parts;
   Localizer localizer;
-  std::unique_ptr<Stretch> stretch;
+  std::unique_ptr<FollowedLeg> leg;
+  SkippedSamples skipped;
+  std::vector<DriveLeg> legs;  ///< that have not been put together yet
+  struct LastLeg {
+    Sample sample;
+    LegPlace end;
+  };
+  std::optional<LastLeg> last;
   DriveEvidence evidence;
+  double driven_m = 0, learned_m = 0;  ///< since the evidence was last taken
+  std::optional<Pose2> T_odom_before;
 
   explicit State(const LocalizerParts& given) : parts(given), localizer(given) {}
 
-  void begin(const PoseEstimate& estimate, const Sample& sample) {
-    constexpr double kLeast_m = 0.05, kLeast_rad = 0.02;
-    const Eigen::Vector3d sigma = estimate.covariance.diagonal().cwiseMax(0).cwiseSqrt().cwiseMax(
-        Eigen::Vector3d(kLeast_m, kLeast_m, kLeast_rad));
-    stretch = std::make_unique<Stretch>(parts, sigma, sample.T_odom_base);
-    stretch->tracker.start(estimate.T_map_base, sigma);
+  std::size_t visits() const {
+    std::size_t visits = leg ? leg->visits() : 0;
+    for (const DriveLeg& each : legs) visits += each.visits.size();
+    return visits;
   }
 
-  void follow(const Sample& sample) {
-    stretch->driven_m += distance_m(stretch->T_odom_before, sample.T_odom_base);
-    stretch->T_odom_before = sample.T_odom_base;
-    if (stretch->tracker.update(sample)) stretch->views.push_back(view_of(sample));
+  void end_leg() {
+    if (!leg) return;
+    std::vector<DriveLeg> ended = leg->finish(skipped);
+    learned_m += leg->learned_m();
+    if (ended.empty()) {
+      skipped.append(leg->left_over());
+      leg.reset();
+      return;
+    }
+    const std::size_t number = legs.size();
+    if (ended.size() > 1) ended.back().begins_at = LegPlace{number, 0};
+    std::optional<DriveLeg> gap = gap_before(ended.front(), number);
+    if (gap && ended.size() > 1) ended.pop_back();  // the gap covers it
+    std::move(ended.begin(), ended.end(), std::back_inserter(legs));
+    if (gap) legs.push_back(std::move(*gap));
+    last = LastLeg{leg->last_sample(), LegPlace{number, legs[number].track.size() - 1}};
+    skipped.clear();
+    skipped.append(leg->left_over());
+    leg.reset();
   }
 
-  void compare(const PoseEstimate& estimate) {
-    const Pose2& tracked = stretch->tracker.last().T_map_base;
-    const bool agree = distance_m(tracked, estimate.T_map_base) < kAgree_m &&
-                       angle_between_rad(tracked, estimate.T_map_base) < kAgree_rad;
-    ++stretch->compared;
-    stretch->agreed += agree;
-    if (agree && !stretch->tracker.last().lost) stretch->note_agreement();
+  /// From the end of the leg before to the beginning of the leg that will have this number: what scan matching says of
+  /// it, if it leads from one to the other.
+  std::optional<DriveLeg> gap_before(const DriveLeg& next, std::size_t number) const {
+    if (!last) return std::nullopt;
+    std::vector<Sample> samples{last->sample};
+    for (const SkippedSample& each : skipped.all())
+      if (is_keyframe(samples.back(), each.sample)) samples.push_back(each.sample);
+    samples.push_back(leg->first_sample());
+    DriveLeg gap;
+    gap.track = scan_odometry(parts, samples, legs[last->end.leg].track[last->end.keyframe].T_map_base);
+    gap.begins_at = last->end;
+    gap.ends_at = LegPlace{number, 0};
+    if (!close(gap.track, next.track.front().T_map_base)) return std::nullopt;
+    for (const Sample& sample : samples) gap.views.push_back(view_of(sample));
+    gap.visits = {samples.size()};
+    gap.is_gap = true;
+    return gap;
   }
 
-  void end() {
-    if (!stretch) return;
-    const bool is_sound = stretch->is_sound() && stretch->views.size() == stretch->tracker.track().size();
-    evidence.learned_m += is_sound ? stretch->agreement.driven_m : 0;
-    evidence.left_out_m += stretch->driven_m - (is_sound ? stretch->agreement.driven_m : 0);
-    if (is_sound) evidence.visits.push_back(evidence_of(*stretch, parts.map->map()));
-    stretch.reset();
+  bool is_keyframe(const Sample& before, const Sample& now) const {
+    return distance_m(before.T_odom_base, now.T_odom_base) > parts.keyframes.distance_m ||
+           angle_between_rad(before.T_odom_base, now.T_odom_base) > parts.keyframes.angle_rad;
+  }
+
+  void put_together() {
+    end_leg();
+    last.reset();
+    std::vector<VisitEvidence> said = evidence_of(*parts.map, std::exchange(legs, {}));
+    std::move(said.begin(), said.end(), std::back_inserter(evidence.visits));
+    evidence.learned_m += std::exchange(learned_m, 0);
   }
 
   DriveEvidence said_by(const std::string& drive) {
     DriveEvidence said = std::exchange(evidence, {});
     said.drive = drive;
     said.map = parts.map->map().name();
+    said.left_out_m = std::max(0.0, std::exchange(driven_m, 0) - said.learned_m);
     return said;
   }
 };
@@ -125,13 +120,19 @@ DriveObserver::DriveObserver(const LocalizerParts& parts) : state_(std::make_uni
 DriveObserver::~DriveObserver() = default;
 
 void DriveObserver::update(const Sample& sample) {
-  const auto estimate = state_->localizer.update(sample);
+  State& s = *state_;
+  s.driven_m += s.T_odom_before ? distance_m(*s.T_odom_before, sample.T_odom_base) : 0;
+  s.T_odom_before = sample.T_odom_base;
+  const auto estimate = s.localizer.update(sample);
   const bool is_localized = estimate && estimate->status == Status::localized;
-  if (!state_->stretch && is_localized) state_->begin(*estimate, sample);
-  if (!state_->stretch) return;
-  state_->follow(sample);
-  if (is_localized) state_->compare(*estimate);
-  if (state_->stretch->tracker.last().lost || state_->stretch->driven_m > kVisit_m) state_->end();
+  if (!s.leg && is_localized) s.leg = std::make_unique<FollowedLeg>(s.parts, *estimate, sample);
+  if (!s.leg) {
+    s.skipped.add(sample, estimate);
+    return;
+  }
+  s.leg->update(sample, estimate);
+  if (s.leg->is_over()) s.end_leg();
+  if (s.visits() >= kTogether) s.put_together();
 }
 
 std::optional<DriveEvidence> DriveObserver::take(const std::string& drive) {
@@ -140,7 +141,7 @@ std::optional<DriveEvidence> DriveObserver::take(const std::string& drive) {
 }
 
 DriveEvidence DriveObserver::finish(const std::string& drive) {
-  state_->end();
+  state_->put_together();
   return state_->said_by(drive);
 }
 

@@ -1,7 +1,6 @@
 #pragma once
 
-#include "learning/unmapped_faces.hpp"
-#include "survey/deviation_report.hpp"
+#include "learning/drive_legs.hpp"
 
 #include <opal/localization/localizer.hpp>
 #include <opal/sensing/replay.hpp>
@@ -14,12 +13,6 @@
 #include <vector>
 
 namespace opal {
-
-/// What one visit to a part of the building says: a stretch of one drive along which the robot was localized.
-struct VisitEvidence {
-  std::vector<Deviation> objects;      ///< what was recognized, or was looked for and seen through
-  std::vector<UnmappedFace> unmapped;  ///< by place
-};
 
 /// What one drive says of a map. It does not matter how it started.
 struct DriveEvidence {

@@ -11,6 +11,9 @@ constexpr int kFormat = 1;
 constexpr std::array kVerdicts{DeviationVerdict::as_mapped, DeviationVerdict::moved, DeviationVerdict::probably_absent};
 
 nlohmann::ordered_json to_json(const Deviation& deviation) {
+  nlohmann::ordered_json faces = nlohmann::ordered_json::array();
+  for (const FaceOffset& face : deviation.faces)
+    faces.push_back({{"face", face.face}, {"offset_m", face.offset_m}, {"sigma_m", face.sigma_m}});
   return {{"object", deviation.object},
           {"type", deviation.type},
           {"verdict", name_of(deviation.verdict)},
@@ -20,7 +23,8 @@ nlohmann::ordered_json to_json(const Deviation& deviation) {
           {"sigma_m", deviation.sigma_m},
           {"observations", deviation.observations},
           {"looks", deviation.looks},
-          {"seen_through_share", deviation.seen_through_share}};
+          {"seen_through_share", deviation.seen_through_share},
+          {"faces", std::move(faces)}};
 }
 
 nlohmann::ordered_json to_json(const UnmappedFace& unmapped) {
@@ -66,6 +70,10 @@ Deviation deviation_from(const nlohmann::json& json) {
   // Evidence of earlier versions does not tell it.
   deviation.looks = json.contains("looks") ? number_at(json, "looks", 0, kMostKeyframes) : deviation.observations;
   deviation.seen_through_share = number_at(json, "seen_through_share", 0, 1);
+  if (json.contains("faces"))
+    for (const nlohmann::json& face : json.at("faces"))
+      deviation.faces.push_back(
+          {face.at("face"), metres_at(face, "offset_m"), number_at(face, "sigma_m", 0, kFarthest_m)});
   return deviation;
 }
 

@@ -1,5 +1,7 @@
 #include "learning/learned_overlay.hpp"
 
+#include "learning/prior_shares.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,9 +12,6 @@
 namespace opal {
 namespace {
 
-// Before anybody drove: of a hundred objects, so many are as the map says, elsewhere, gone.
-constexpr std::array<double, 3> kPrior{0.9, 0.05, 0.05};
-constexpr double kPriorAdded = 0.1;  // of straight faces that the map lacks; the others are furniture for a day
 // Two visits that see one thing at places farther apart than this, and three sigma, do not agree.
 constexpr double kOnePlace_m = 0.1;
 constexpr double kSeenThrough = 0.3;
@@ -30,19 +29,28 @@ struct Visit {
   const std::string* drive;
 };
 
-/// Probabilities that an object is as mapped, moved, gone (Bayes), of visits whose verdict is right as often as
-/// `reliability` says, and else one of the others.
-std::array<double, 3> posterior(const std::vector<Visit>& visits) {
-  std::array<double, 3> probability = kPrior;
+/// How likely visits are to say what they say of an object that is as mapped, moved, gone: each is right as often as
+/// `reliability` says, and else says one of the others.
+VerdictLikelihood likelihood(const std::vector<Visit>& visits) {
+  VerdictLikelihood likely{1, 1, 1};
   for (const Visit& visit : visits) {
     const double right = reliability(keyframes_of(*visit.deviation));
     double sum = 0;
     for (int k = 0; k < 3; ++k) {
-      probability[k] *= static_cast<int>(visit.deviation->verdict) == k ? right : (1 - right) / 2;
-      sum += probability[k];
+      likely[k] *= static_cast<int>(visit.deviation->verdict) == k ? right : (1 - right) / 2;
+      sum += likely[k];
     }
-    for (double& each : probability) each /= sum;
+    for (double& each : likely) each /= sum;
   }
+  return likely;
+}
+
+/// Bayes' rule.
+std::array<double, 3> posterior(const VerdictLikelihood& prior, const VerdictLikelihood& likely) {
+  std::array<double, 3> probability{};
+  double sum = 0;
+  for (int k = 0; k < 3; ++k) sum += probability[k] = prior[k] * likely[k];
+  for (double& each : probability) each /= sum;
   return probability;
 }
 
@@ -65,9 +73,28 @@ void place(Proposal& proposal, const std::vector<Visit>& visits) {
   for (const Visit& visit : visits) {
     const double off_m = (visit.deviation->moved - proposal.moved).norm();
     if (visit.deviation->verdict == DeviationVerdict::moved &&
-        off_m > std::max(kOnePlace_m, 3 * visit.deviation->sigma_m))
+        visit.deviation->faces.empty() && off_m > std::max(kOnePlace_m, 3 * visit.deviation->sigma_m))
       proposal.is_conflicting = true;
   }
+}
+
+/// Where visits have seen each face of a moved object. Conflicting if one of them is far from the mean.
+void place_faces(Proposal& proposal, const std::vector<Visit>& visits) {
+  struct Sum {
+    double information = 0, pull = 0;
+  };
+  std::map<std::string, Sum> sums;
+  const auto weight = [](const FaceOffset& face) { return 1 / std::max(1e-6, face.sigma_m * face.sigma_m); };
+  for (const Visit& visit : visits)
+    for (const FaceOffset& face : visit.deviation->faces) {
+      sums[face.face].information += weight(face);
+      sums[face.face].pull += weight(face) * face.offset_m;
+    }
+  for (const auto& [face, sum] : sums) proposal.face_offsets[face] = sum.pull / sum.information;
+  for (const Visit& visit : visits)
+    for (const FaceOffset& face : visit.deviation->faces)
+      if (std::abs(face.offset_m - proposal.face_offsets.at(face.face)) > std::max(kOnePlace_m, 3 * face.sigma_m))
+        proposal.is_conflicting = true;
 }
 
 VisitSight sight_of(const Visit& visit, bool agrees) {
@@ -93,7 +120,10 @@ Proposal proposal_for(const MapObject& object, const std::vector<Visit>& visits,
     proposal.sights.push_back(sight_of(visit, agrees));
   }
   proposal.moves_about = was_there && was_away;
-  if (proposal.change == Change::moved) place(proposal, visits);
+  if (proposal.change == Change::moved) {
+    place(proposal, visits);
+    place_faces(proposal, visits);
+  }
   name_drives(proposal, drives);
   return proposal;
 }
@@ -141,23 +171,34 @@ std::vector<FaceGroup> grouped_faces(const std::vector<const DriveEvidence*>& dr
 
 std::string name_of_addition(std::size_t number) { return "learned-" + std::to_string(number); }
 
-Proposal proposal_for(const FaceGroup& group, std::size_t number) {
+bool stands(const FaceSight& sight) { return sight.face.seen_through_share < kSeenThrough; }
+
+/// How much likelier visits are to say what they say if the face stands there for good.
+double odds_of(const FaceGroup& group) {
+  double odds = 1;
+  for (const FaceSight& sight : group.seen) {
+    const double right = reliability(sight.face.views);
+    odds *= stands(sight) ? right / (1 - right) : (1 - right) / right;
+  }
+  return odds;
+}
+
+Proposal proposal_for(const FaceGroup& group, double prior, std::size_t number) {
   Proposal proposal{name_of_addition(number), "opal:Wall", Change::added};
   proposal.face = group.best.face;
-  double odds = kPriorAdded / (1 - kPriorAdded);
   std::set<std::string> drives;
-  for (const auto& [drive, visit, face] : group.seen) {
-    const bool stands = face.seen_through_share < kSeenThrough;
-    ++(stands ? proposal.visits_for : proposal.visits_against);
+  for (const FaceSight& sight : group.seen) {
+    const auto& [drive, visit, face] = sight;
+    const bool agrees = stands(sight);
+    ++(agrees ? proposal.visits_for : proposal.visits_against);
     drives.insert(*drive);
     proposal.sights.push_back({.drive = *drive,
-                               .agrees = stands,
+                               .agrees = agrees,
                                .keyframes = face.views,
                                .face = face.face,
                                .seen_through_share = face.seen_through_share});
-    const double right = reliability(face.views);
-    odds *= stands ? right / (1 - right) : (1 - right) / right;
   }
+  const double odds = prior / (1 - prior) * odds_of(group);
   proposal.probability = odds / (1 + odds);
   proposal.moves_about = proposal.visits_against > 0;
   name_drives(proposal, drives);
@@ -201,6 +242,11 @@ Learned learned_from(const SemanticMap& map, std::span<const DriveEvidence> driv
     for (const VisitEvidence& visit : drive->visits)
       for (const Deviation& deviation : visit.objects)
         by_object[deviation.object].push_back({&deviation, &drive->drive});
+  std::vector<VerdictLikelihood> likely;
+  for (const MapObject& object : map.objects())
+    if (const auto visits = by_object.find(object.id); visits != by_object.end())
+      likely.push_back(likelihood(visits->second));
+  const VerdictLikelihood prior = prior_shares(likely);
   Learned learned;
   std::set<std::string> names;
   for (const MapObject& object : map.objects()) {
@@ -210,7 +256,7 @@ Learned learned_from(const SemanticMap& map, std::span<const DriveEvidence> driv
       ++learned.unseen;
       continue;
     }
-    const std::array<double, 3> probability = posterior(visits->second);
+    const std::array<double, 3> probability = posterior(prior, likelihood(visits->second));
     const auto best = std::max_element(probability.begin(), probability.end()) - probability.begin();
     if (best == static_cast<int>(DeviationVerdict::as_mapped))
       ++learned.sound;
@@ -219,10 +265,15 @@ Learned learned_from(const SemanticMap& map, std::span<const DriveEvidence> driv
           proposal_for(object, visits->second, static_cast<DeviationVerdict>(best), probability[best]));
   }
   std::size_t number = 0;
-  for (const FaceGroup& group : grouped_faces(ordered)) {
+  const std::vector<FaceGroup> groups = grouped_faces(ordered);
+  std::vector<double> seen_again;
+  for (const FaceGroup& group : groups)
+    if (group.seen.size() > 1) seen_again.push_back(odds_of(group));
+  const double prior_added = prior_share_of_additions(seen_again);
+  for (const FaceGroup& group : groups) {
     do ++number;
     while (names.contains(name_of_addition(number)));
-    learned.proposals.push_back(proposal_for(group, number));
+    learned.proposals.push_back(proposal_for(group, prior_added, number));
   }
   std::stable_sort(learned.proposals.begin(), learned.proposals.end(), is_first);
   return learned;

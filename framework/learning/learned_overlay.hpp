@@ -37,6 +37,8 @@ struct Proposal {
   bool moves_about = false;     ///< it was there on one visit and not on another; never part of the overlay
   Point moved = Point::Zero();  ///< from where the map says [m], frame `map`
   double sigma_m = 0;           ///< one-sigma of `moved`, per axis
+  /// Of its faces that were recognized, by id: from where the map says, along the normal [m].
+  std::map<std::string, double> face_offsets = {};
   Segment face = {};            ///< of something added
   int visits_for = 0, visits_against = 0;
   std::vector<std::string> drives = {};  ///< that say so, in order

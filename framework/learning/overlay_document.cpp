@@ -47,13 +47,40 @@ void shift(Shifts& shifts, const MapFeature& feature, const Point& moved, const 
   }
 }
 
+/// Maps are drawn to five centimetres: less is left as it is.
+double clear_part(double offset_m) { return std::abs(offset_m) > 0.05 ? offset_m : 0; }
+
+/// Whether two faces may be the two sides of one wall, or pieces of one side.
+bool go_together(const Segment& a, const Segment& b) {
+  constexpr double kParallel = 0.95, kThickest_m = 1;
+  return std::abs(a.direction().dot(b.direction())) > kParallel &&
+         std::abs(a.normal().dot(b.midpoint() - a.begin)) < kThickest_m;
+}
+
+/// Where a face was recognized, it goes there; another side of the same wall goes along.
+Point moved_by(const SemanticMap& map, const MapObject& object, const Proposal& proposal, const MapFeature& feature) {
+  const auto* face = std::get_if<Segment>(&feature.geometry);
+  if (!face || proposal.face_offsets.empty()) return proposal.moved;
+  if (const auto own = proposal.face_offsets.find(feature.id); own != proposal.face_offsets.end())
+    return clear_part(own->second) * face->normal();
+  for (const MapFeatureNumber number : object.features) {
+    const MapFeature& other = map.feature(number);
+    const auto seen = proposal.face_offsets.find(other.id);
+    if (seen == proposal.face_offsets.end()) continue;
+    const auto& side = std::get<Segment>(other.geometry);
+    if (go_together(*face, side)) return clear_part(seen->second) * side.normal();
+  }
+  return Point::Zero();
+}
+
 Shifts shifts_of(const SemanticMap& map, std::span<const Proposal> proposals) {
   Shifts shifts;
   for (const Proposal& proposal : proposals) {
     const MapObject* object = proposal.change == Change::moved ? object_of(map, proposal) : nullptr;
     if (!object) continue;
-    for (const MapFeatureNumber feature : object->features)
-      shift(shifts, map.feature(feature), proposal.moved, object->id + " " + sentence_of(proposal));
+    for (const MapFeatureNumber number : object->features)
+      shift(shifts, map.feature(number), moved_by(map, *object, proposal, map.feature(number)),
+            object->id + " " + sentence_of(proposal));
   }
   return shifts;
 }

@@ -1,8 +1,7 @@
 #include "learning/unmapped_faces.hpp"
 
-#include "derivation/sightings.hpp"
-
 #include <algorithm>
+#include <set>
 
 namespace opal {
 namespace {
@@ -51,6 +50,40 @@ Segment unmapped_part(const Segment& face, const BelievedMap& map) {
           face.begin + (best_from + std::max(0, best - 1)) * kStep_m * direction};
 }
 
+/// Views of one straight face, from wherever they show a part of it.
+struct FaceViews {
+  Segment extent;  ///< of all views, along the first one
+  std::vector<Segment> views;
+  std::set<std::size_t> keyframes;
+
+  bool takes(const Segment& view) const {
+    constexpr double kTurn_rad = 0.1, kOff_m = 0.1, kGap_m = 0.2;
+    const Point along = extent.direction();
+    const double begin = along.dot(view.begin - extent.begin), end = along.dot(view.end - extent.begin);
+    return std::abs(wrap_angle(view.heading_rad() - extent.heading_rad())) < kTurn_rad &&
+           std::abs(extent.normal().dot(view.midpoint() - extent.begin)) < kOff_m && begin < extent.length_m() + kGap_m &&
+           end > -kGap_m;
+  }
+  void add(const Segment& view, std::size_t keyframe) {
+    const Point along = extent.direction();
+    const double begin = along.dot(view.begin - extent.begin), end = along.dot(view.end - extent.begin);
+    const double length = extent.length_m();
+    extent = {extent.begin + std::min(0.0, begin) * along, extent.begin + std::max(length, end) * along};
+    views.push_back(view);
+    keyframes.insert(keyframe);
+  }
+  const Segment& longest() const {
+    return *std::max_element(views.begin(), views.end(),
+                             [](const Segment& a, const Segment& b) { return a.length_m() < b.length_m(); });
+  }
+};
+
+void add_view(std::vector<FaceViews>& faces, const Segment& view, std::size_t keyframe) {
+  auto face = std::find_if(faces.begin(), faces.end(), [&](const FaceViews& each) { return each.takes(view); });
+  if (face == faces.end()) face = faces.insert(faces.end(), FaceViews{view, {}, {}});
+  face->add(view, keyframe);
+}
+
 double median(std::vector<double> values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::nth_element(values.begin(), middle, values.end());
@@ -58,19 +91,17 @@ double median(std::vector<double> values) {
 }
 
 /// What enough views of one face have in common: their median line, as far as several of them cover it.
-Segment common_face(const std::vector<Geometry>& views, const Segment& longest) {
+Segment common_face(const std::vector<Segment>& views, const Segment& longest) {
   const Point along = longest.direction(), across = longest.normal();
   std::vector<double> offsets;
   double low = 0, high = longest.length_m();
-  for (const Geometry& view : views) {
-    const auto& face = std::get<Segment>(view);
+  for (const Segment& face : views) {
     offsets.push_back(across.dot(face.midpoint() - longest.begin));
     low = std::min(low, along.dot(face.begin - longest.begin));
     high = std::max(high, along.dot(face.end - longest.begin));
   }
   std::vector<int> covered(static_cast<std::size_t>((high - low) / kStep_m) + 1);
-  for (const Geometry& view : views) {
-    const auto& face = std::get<Segment>(view);
+  for (const Segment& face : views) {
     const auto from = static_cast<std::size_t>(std::max(0.0, along.dot(face.begin - longest.begin) - low) / kStep_m);
     const auto to = static_cast<std::size_t>(std::max(0.0, along.dot(face.end - longest.begin) - low) / kStep_m);
     for (std::size_t k = from; k <= std::min(to, covered.size() - 1); ++k) ++covered[k];
@@ -118,18 +149,17 @@ double seen_through_share(const Segment& face, int seen, std::span<const Keyfram
 std::vector<UnmappedFace> unmapped_faces(const MapView& map, const MapBelief& belief,
                                          std::span<const KeyframeView> views, std::span<const Pose2> T_map_base) {
   const BelievedMap believed(map, belief);
-  Sightings sightings;
+  std::vector<FaceViews> found;
   for (std::size_t k = 0; k < views.size(); ++k)
     for (const Segment& seen : views[k].faces) {
       const Segment part = unmapped_part(transformed(T_map_base[k], seen), believed);
-      if (part.length_m() >= kLeastLength_m / 2)
-        sightings.add({.type = "opal:Wall", .geometry = part}, T_map_base[k].position());
+      if (part.length_m() >= kLeastLength_m / 2) add_view(found, part, k);
     }
   std::vector<UnmappedFace> faces;
-  for (const Sighted& thing : sightings.all()) {
-    const auto seen = static_cast<int>(thing.views.size());
+  for (const FaceViews& all : found) {
+    const auto seen = static_cast<int>(all.keyframes.size());
     if (seen < kFewestViews) continue;
-    const Segment face = common_face(thing.views, std::get<Segment>(thing.geometry()));
+    const Segment face = common_face(all.views, all.longest());
     if (face.length_m() < kLeastLength_m) continue;
     faces.push_back({face, seen, seen_through_share(face, seen, views, T_map_base)});
   }

@@ -15,10 +15,17 @@ struct UnmappedFace {
   double seen_through_share = 0;  ///< of the keyframes that saw it or through it: through it, in [0, 1]
 };
 
+/// Where beams of one laser ended, by increasing bearing; frame of the robot.
+struct LaserReturns {
+  Point laser;
+  std::vector<Point> points;
+};
+
 /// What one keyframe saw, in the frame of the robot then.
 struct KeyframeView {
   std::vector<Segment> faces;                  ///< straight pieces, the robot on their left
   std::vector<std::pair<Point, Point>> beams;  ///< some of the beams: from the laser to where they ended
+  std::vector<LaserReturns> returns;           ///< of each laser
 };
 
 /// Gathers the straight faces of a drive for which the map has no surface, where it is believed to be, within 0.25 m.

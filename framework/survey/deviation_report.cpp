@@ -13,11 +13,12 @@ class ObjectEvidence {
  public:
   explicit ObjectEvidence(const DeviationOptions& options) : options_(options) {}
 
-  void add(MapFeatureNumber number, const Geometry& geometry, const FeatureBelief& belief) {
+  void add(MapFeatureNumber number, const MapFeature& feature, const FeatureBelief& belief) {
+    const Geometry& geometry = feature.geometry;
     seen_ += belief.seen;
     through_ += belief.seen_through;
     if (const auto* face = std::get_if<Segment>(&geometry))
-      add_face(number, *face, belief);
+      add_face(number, feature.id, *face, belief);
     else if (std::holds_alternative<Circle>(geometry))
       add_column(number, belief);
   }
@@ -30,6 +31,7 @@ class ObjectEvidence {
     deviation.feature = main_.exists() ? main_ : any_;
     deviation.observations = observations_;
     deviation.looks = all;
+    deviation.faces = faces_;
     if (!main_.exists() && !absent) return false;
     if (main_.exists()) locate(deviation);
     const double least = std::max(options_.least_offset_m, options_.sigmas * deviation.sigma_m);
@@ -43,11 +45,12 @@ class ObjectEvidence {
  private:
   bool tells(const FeatureBelief& belief) const { return belief.observations >= options_.least_observations; }
 
-  void add_face(MapFeatureNumber number, const Segment& face, const FeatureBelief& belief) {
+  void add_face(MapFeatureNumber number, const std::string& id, const Segment& face, const FeatureBelief& belief) {
     if (!any_.exists()) any_ = number;
     if (!tells(belief) || belief.covered_m < options_.least_covered_m) return;
     const double weight = 1 / (belief.sigma_m * belief.sigma_m);
     const Point normal = face.normal();
+    faces_.push_back({id, normal.dot(belief.moved), belief.sigma_m});
     information_ += weight * normal * normal.transpose();
     pull_ += weight * normal * normal.dot(belief.moved);
     observations_ = std::max(observations_, belief.observations);
@@ -84,6 +87,7 @@ class ObjectEvidence {
   double seen_ = 0, through_ = 0, covered_m_ = 0;
   MapFeatureNumber main_, any_;
   int observations_ = 0;
+  std::vector<FaceOffset> faces_;
 };
 
 bool farther(const Deviation& a, const Deviation& b) {
@@ -110,7 +114,7 @@ std::vector<Deviation> deviations_of(const SemanticMap& map, const MapBelief& be
   std::vector<Deviation> found;
   for (const MapObject& object : map.objects()) {
     ObjectEvidence evidence(options);
-    for (MapFeatureNumber number : object.features) evidence.add(number, map.feature(number).geometry, belief[number]);
+    for (MapFeatureNumber number : object.features) evidence.add(number, map.feature(number), belief[number]);
     Deviation deviation;
     deviation.object = object.id;
     deviation.type = object.type;

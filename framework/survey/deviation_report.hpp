@@ -11,6 +11,12 @@ namespace opal {
 enum class DeviationVerdict { as_mapped, moved, probably_absent };
 OPAL_EXPORT const char* name_of(DeviationVerdict verdict);
 
+/// Where one face of an object is: from where the map says, along its normal, positive towards the visible side.
+struct FaceOffset {
+  std::string face;  ///< id of the mapped feature
+  double offset_m = 0, sigma_m = 0;
+};
+
 /// Where a mapped object really is. Frame: `map`.
 struct Deviation {
   std::string object, type;
@@ -25,6 +31,7 @@ struct Deviation {
   double looks = 0;
   double seen_through_share = 0;  ///< of the evidence about its faces, in [0, 1]
   DeviationVerdict verdict = DeviationVerdict::as_mapped;
+  std::vector<FaceOffset> faces = {};  ///< each that was recognized often enough, in the order of the map
 };
 
 struct DeviationOptions {

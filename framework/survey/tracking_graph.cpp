@@ -3,6 +3,7 @@
 #include "survey/tracking_factors.hpp"
 
 #include <Eigen/Cholesky>
+#include <Eigen/SparseCholesky>
 
 #include <algorithm>
 
@@ -39,12 +40,35 @@ class Problem {
 
   /// @param doubt  factor on the variance of its motion.
   void add_pose(const TrackedKeyframe& keyframe, double doubt) {
-    const Point at = keyframe.T_map_base.position() - origin_;
-    poses_.push_back(new_variable({at.x(), at.y(), keyframe.T_map_base.heading_rad()}));
-    problem_.AddParameterBlock(poses_.back(), 3);
+    add_loose_pose(keyframe);
     if (poses_.size() < 2) return;
     const RelativePose motion{{}, {}, keyframe.T_before_now, doubt * keyframe.motion_covariance};
     problem_.AddResidualBlock(new MotionFactor(motion), nullptr, poses_[poses_.size() - 2], poses_.back());
+  }
+
+  /// What is known of the newest pose.
+  void bound(const TrackedKeyframe& keyframe, const Eigen::Vector3d& sigma) {
+    const Pose2 local(Point(keyframe.T_map_base.position() - origin_), keyframe.T_map_base.heading_rad());
+    problem_.AddResidualBlock(new PosePriorFactor(local, sigma.cwiseAbs2().asDiagonal()), nullptr, poses_.back());
+  }
+
+  void add_leg(const TrackLeg& leg) {
+    for (std::size_t k = 0; k < leg.track.size(); ++k) {
+      if (k > 0)
+        add_pose(leg.track[k], 1);
+      else
+        add_loose_pose(leg.track[k]);
+      if (k == 0 && !leg.begins_at) bound(leg.track[k], leg.start_sigma);
+      for (const MapMeasurement& measured : leg.track[k].measurements) add_measurement(measured, {}, 0);
+    }
+  }
+
+  /// Two poses, by their order, that are one.
+  void join(std::size_t one, std::size_t other) {
+    constexpr double kSame_m = 0.01, kSame_rad = 0.005;
+    const Eigen::Matrix3d covariance = Eigen::Vector3d(kSame_m, kSame_m, kSame_rad).cwiseAbs2().asDiagonal();
+    problem_.AddResidualBlock(new MotionFactor(RelativePose{{}, {}, Pose2(), covariance}), nullptr, poses_[one],
+                              poses_[other]);
   }
 
   void add_prior(const PosePrior& prior) {
@@ -100,6 +124,28 @@ class Problem {
     return track;
   }
 
+  /// First-order one-sigmas of the offsets, of as many poses as there are.
+  void add_offset_sigmas(std::map<MapFeatureNumber, SolvedOffset>& solved) {
+    ceres::Problem::EvaluateOptions order;
+    for (double* pose : poses_) order.parameter_blocks.push_back(pose);
+    for (auto& [key, offset] : offsets_) order.parameter_blocks.push_back(offset);
+    ceres::CRSMatrix J;
+    problem_.Evaluate(order, nullptr, nullptr, nullptr, &J);
+    const Eigen::Map<const Eigen::SparseMatrix<double, Eigen::RowMajor>> rows(
+        J.num_rows, J.num_cols, static_cast<Eigen::Index>(J.values.size()), J.rows.data(), J.cols.data(), J.values.data());
+    const Eigen::SparseMatrix<double> jacobian = rows;
+    Eigen::SparseMatrix<double> H = jacobian.transpose() * jacobian, ridge(J.num_cols, J.num_cols);
+    ridge.setIdentity();
+    H += 1e-9 * ridge;
+    const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factored(H);
+    auto at = static_cast<Eigen::Index>(3 * poses_.size());
+    for (auto& [key, offset] : offsets_) {
+      const double variance = factored.solve(Eigen::VectorXd::Unit(J.num_cols, at))(at);
+      solved[key.first].sigma_m = std::hypot(kLeastOffsetSigma_m, std::sqrt(std::max(0.0, variance)));
+      at += size_of(key.first);
+    }
+  }
+
   /// First-order covariances around the solution.
   void add_covariances(SolvedTrack& track) {
     ceres::Problem::EvaluateOptions order;
@@ -127,6 +173,13 @@ class Problem {
     return std::holds_alternative<Segment>(map_.feature(feature).geometry);
   }
   int size_of(MapFeatureNumber feature) const { return is_face(feature) ? 1 : 2; }
+
+  /// A pose without a motion to it.
+  void add_loose_pose(const TrackedKeyframe& keyframe) {
+    const Point at = keyframe.T_map_base.position() - origin_;
+    poses_.push_back(new_variable({at.x(), at.y(), keyframe.T_map_base.heading_rad()}));
+    problem_.AddParameterBlock(poses_.back(), 3);
+  }
 
   double* new_variable(const Variable& start) {
     variables_.push_back(start);
@@ -234,6 +287,35 @@ SolvedTrack TrackingGraph::solve_batch(std::span<const TrackedKeyframe> poses, c
   }
   problem.add_prior(oldest);
   return problem.solve(true, goes_on) ? problem.solution() : SolvedTrack{};
+}
+
+SolvedLegs TrackingGraph::solve_together(std::span<const TrackLeg> legs) const {
+  if (legs.empty()) return {};
+  std::size_t variables = 0;
+  for (const TrackLeg& leg : legs)
+    for (const TrackedKeyframe& keyframe : leg.track) variables += variables_of(keyframe);
+  Problem problem(map_, options_, legs.front().track.front().T_map_base.position(), variables);
+  std::vector<std::size_t> first;  // pose of each leg
+  std::size_t poses = 0;
+  for (const TrackLeg& leg : legs) {
+    first.push_back(poses);
+    poses += leg.track.size();
+    problem.add_leg(leg);
+  }
+  const auto pose_at = [&](const LegPlace& place) { return first[place.leg] + place.keyframe; };
+  for (std::size_t k = 0; k < legs.size(); ++k) {
+    if (legs[k].begins_at) problem.join(pose_at(*legs[k].begins_at), first[k]);
+    if (legs[k].ends_at) problem.join(pose_at(*legs[k].ends_at), first[k] + legs[k].track.size() - 1);
+  }
+  if (!problem.solve(true)) return {};
+  const SolvedTrack all = problem.solution();
+  SolvedLegs solved{all.usable, {}, all.offsets};
+  problem.add_offset_sigmas(solved.offsets);
+  for (std::size_t k = 0; k < legs.size(); ++k) {
+    const auto from = all.T_map_base.begin() + static_cast<std::ptrdiff_t>(first[k]);
+    solved.T_map_base.emplace_back(from, from + static_cast<std::ptrdiff_t>(legs[k].track.size()));
+  }
+  return solved;
 }
 
 }  // namespace opal

@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <map>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -39,6 +40,26 @@ struct SolvedTrack {
 /// Told how much of the work that there may be is done; false ends it. Empty: to the end.
 using GoesOn = std::function<bool(double share)>;
 
+/// A keyframe of one of several legs.
+struct LegPlace {
+  std::size_t leg = 0, keyframe = 0;
+};
+
+/// A part of a drive that was followed without a break. Its first and last keyframe may be keyframes of other legs once
+/// more: that links the legs. If its first is none, nothing but the map links it.
+struct TrackLeg {
+  std::span<const TrackedKeyframe> track;                 ///< not empty
+  Eigen::Vector3d start_sigma = Eigen::Vector3d::Zero();  ///< of its first pose (x, y, heading) [m, m, rad]
+  std::optional<LegPlace> begins_at = std::nullopt, ends_at = std::nullopt;
+};
+
+/// Legs as solved together.
+struct SolvedLegs {
+  bool usable = false;
+  std::vector<std::vector<Pose2>> T_map_base;  ///< per leg, per keyframe
+  std::map<MapFeatureNumber, SolvedOffset> offsets;
+};
+
 /// The factor graph of map-first tracking (Hendrikx 2023, 2.4): poses, linked by odometry and scan matching; measured
 /// features, linked to the map through an offset each. Offsets are small or, at a price that hardly grows, large.
 class TrackingGraph {
@@ -51,6 +72,9 @@ class TrackingGraph {
   /// All poses of a track: minutes for thousands of them. Not usable if it was ended.
   SolvedTrack solve_batch(std::span<const TrackedKeyframe> poses, const PosePrior& oldest,
                           const GoesOn& goes_on = {}) const;
+  /// Legs of one drive: what is on the map stands at one place, from wherever it is seen. So a pose does not follow a
+  /// single face that the map has wrong: all faces along the drive say where it was. Offsets have a sigma_m.
+  SolvedLegs solve_together(std::span<const TrackLeg> legs) const;
 
  private:
   const MapView& map_;
