@@ -34,8 +34,8 @@ KeyframeView view_of(const Sample& sample) {
       view.faces.push_back(transformed(laser.T_base_laser, line.segment));
     for (std::size_t k = 0; k < laser.scan.points.size(); k += kBeamStride)
       view.beams.emplace_back(laser.T_base_laser.position(), laser.T_base_laser * laser.scan.points[k].position);
-    view.returns.push_back(
-        {laser.T_base_laser.position(), thinned(laser.scan.points, laser.T_base_laser, kSpacing_m, kMostPoints).points});
+    view.returns.push_back({laser.T_base_laser.position(),
+                            thinned(laser.scan.points, laser.T_base_laser, kSpacing_m, kMostPoints).points});
   }
   return view;
 }

@@ -2,8 +2,6 @@
 
 #include "learning/prior_shares.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <map>
@@ -72,8 +70,8 @@ void place(Proposal& proposal, const std::vector<Visit>& visits) {
   proposal.sigma_m = 1 / std::sqrt(information);
   for (const Visit& visit : visits) {
     const double off_m = (visit.deviation->moved - proposal.moved).norm();
-    if (visit.deviation->verdict == DeviationVerdict::moved &&
-        visit.deviation->faces.empty() && off_m > std::max(kOnePlace_m, 3 * visit.deviation->sigma_m))
+    if (visit.deviation->verdict == DeviationVerdict::moved && visit.deviation->faces.empty() &&
+        off_m > std::max(kOnePlace_m, 3 * visit.deviation->sigma_m))
       proposal.is_conflicting = true;
   }
 }
@@ -205,6 +203,20 @@ Proposal proposal_for(const FaceGroup& group, double prior, std::size_t number) 
   return proposal;
 }
 
+/// @param names  of what is on the map.
+void propose_additions(Learned& learned, const std::vector<FaceGroup>& groups, const std::set<std::string>& names) {
+  std::vector<double> seen_again;
+  for (const FaceGroup& group : groups)
+    if (group.seen.size() > 1) seen_again.push_back(odds_of(group));
+  const double prior = prior_share_of_additions(seen_again);
+  std::size_t number = 0;
+  for (const FaceGroup& group : groups) {
+    do ++number;
+    while (names.contains(name_of_addition(number)));
+    learned.proposals.push_back(proposal_for(group, prior, number));
+  }
+}
+
 /// Each once, in an order that only their contents decide.
 std::vector<const DriveEvidence*> in_order(std::span<const DriveEvidence> drives) {
   std::map<std::string, const DriveEvidence*> by_text;
@@ -224,15 +236,6 @@ const MapObject* object_of(const SemanticMap& map, const Proposal& proposal) {
   for (const MapObject& object : map.objects())
     if (object.id == proposal.id) return &object;
   return nullptr;
-}
-
-const char* name_of(Change change) {
-  switch (change) {
-    case Change::moved: return "moved";
-    case Change::gone: return "gone";
-    case Change::added: return "added";
-  }
-  return "";
 }
 
 Learned learned_from(const SemanticMap& map, std::span<const DriveEvidence> drives) {
@@ -264,54 +267,9 @@ Learned learned_from(const SemanticMap& map, std::span<const DriveEvidence> driv
       learned.proposals.push_back(
           proposal_for(object, visits->second, static_cast<DeviationVerdict>(best), probability[best]));
   }
-  std::size_t number = 0;
-  const std::vector<FaceGroup> groups = grouped_faces(ordered);
-  std::vector<double> seen_again;
-  for (const FaceGroup& group : groups)
-    if (group.seen.size() > 1) seen_again.push_back(odds_of(group));
-  const double prior_added = prior_share_of_additions(seen_again);
-  for (const FaceGroup& group : groups) {
-    do ++number;
-    while (names.contains(name_of_addition(number)));
-    learned.proposals.push_back(proposal_for(group, prior_added, number));
-  }
+  propose_additions(learned, grouped_faces(ordered), names);
   std::stable_sort(learned.proposals.begin(), learned.proposals.end(), is_first);
   return learned;
-}
-
-std::string objection_to(const Proposal& proposal) {
-  std::string words = proposal.is_conflicting ? "visits place it differently" : "";
-  if (proposal.moves_about) words += (words.empty() ? "" : "; ") + std::string("there on one visit and not on another");
-  return words;
-}
-
-std::string sentence_of(const Proposal& proposal) {
-  std::string words;
-  switch (proposal.change) {
-    case Change::moved:
-      words = fmt::format("stands elsewhere by {:.2f} m, {:.2f} m (+- {:.2f} m)", proposal.moved.x(),
-                          proposal.moved.y(), proposal.sigma_m);
-      break;
-    case Change::gone: words = "is gone: beams pass through it"; break;
-    case Change::added: words = fmt::format("a face of {:.1f} m that the map lacks", proposal.face.length_m()); break;
-  }
-  words += fmt::format("; on {} of {} visits, probability {:.3f}; ", proposal.visits_for,
-                       proposal.visits_for + proposal.visits_against, proposal.probability);
-  if (const std::string objection = objection_to(proposal); !objection.empty()) words += objection + "; ";
-  return words + fmt::format("drives: {}", fmt::join(proposal.drives, ", "));
-}
-
-std::string sentence_of(const Proposal& proposal, const VisitSight& sight) {
-  const bool is_gone =
-      proposal.change == Change::added ? !sight.agrees : sight.verdict == DeviationVerdict::probably_absent;
-  if (is_gone) return fmt::format("beams pass through it, {:.0f} of 100 looks", 100 * sight.seen_through_share);
-  std::string words = "where the map says";
-  if (proposal.change == Change::added)
-    words = fmt::format("a face of {:.1f} m", sight.face.length_m());
-  else if (sight.verdict == DeviationVerdict::moved)
-    words =
-        fmt::format("elsewhere by {:.2f} m, {:.2f} m (+- {:.2f} m)", sight.moved.x(), sight.moved.y(), sight.sigma_m);
-  return words + fmt::format("; {} keyframes", sight.keyframes);
 }
 
 }  // namespace opal

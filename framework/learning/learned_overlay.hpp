@@ -39,7 +39,7 @@ struct Proposal {
   double sigma_m = 0;           ///< one-sigma of `moved`, per axis
   /// Of its faces that were recognized, by id: from where the map says, along the normal [m].
   std::map<std::string, double> face_offsets = {};
-  Segment face = {};            ///< of something added
+  Segment face = {};  ///< of something added
   int visits_for = 0, visits_against = 0;
   std::vector<std::string> drives = {};  ///< that say so, in order
   std::vector<VisitSight> sights = {};   ///< of each visit, in order of the drives

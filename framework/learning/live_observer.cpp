@@ -22,16 +22,16 @@ struct LiveObserver::State {
   DriveObserver observer;
   std::string drive;
   Listener heard;
-  int visits = 0;
+  int parts_told = 0;
 
   TaskQueue<LogRecord> records;
   std::jthread thread;  ///< last: it ends before what it uses
 
-  std::string next_name() { return drive + ", visit " + std::to_string(visits + 1); }
+  std::string next_name() { return drive + ", part " + std::to_string(parts_told + 1); }
 
   void tell(const DriveEvidence& evidence) {
     if (evidence.visits.empty()) return;
-    ++visits;
+    ++parts_told;
     heard(evidence);
   }
 

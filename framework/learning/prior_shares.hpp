@@ -13,9 +13,9 @@ using VerdictLikelihood = std::array<double, 3>;
 /// less than one that has turned out to be wrong in many places.
 VerdictLikelihood prior_shares(std::span<const VerdictLikelihood> objects);
 
-/// Share of the straight faces that the map lacks and that stand there for good: 0.10 before anybody drove, as if twenty
-/// had been seen. @param odds  of faces that more than one visit has seen: how much likelier it is that visits say what
-/// they said if the face stands there for good than if it does not.
+/// Share of the straight faces that the map lacks and that stand there for good: 0.10 before anybody drove, as if
+/// twenty had been seen. @param odds  of faces that more than one visit has seen: how much likelier it is that visits
+/// say what they said if the face stands there for good than if it does not.
 double prior_share_of_additions(std::span<const double> odds);
 
 }  // namespace opal

@@ -61,8 +61,8 @@ struct FaceViews {
     const Point along = extent.direction();
     const double begin = along.dot(view.begin - extent.begin), end = along.dot(view.end - extent.begin);
     return std::abs(wrap_angle(view.heading_rad() - extent.heading_rad())) < kTurn_rad &&
-           std::abs(extent.normal().dot(view.midpoint() - extent.begin)) < kOff_m && begin < extent.length_m() + kGap_m &&
-           end > -kGap_m;
+           std::abs(extent.normal().dot(view.midpoint() - extent.begin)) < kOff_m &&
+           begin < extent.length_m() + kGap_m && end > -kGap_m;
   }
   void add(const Segment& view, std::size_t keyframe) {
     const Point along = extent.direction();

@@ -1,5 +1,6 @@
 #include "made_drives.hpp"
 
+#include "learning/prior_shares.hpp"
 #include "map/overlay/map_overlay.hpp"
 
 #include <opal/common/error.hpp>
@@ -92,6 +93,23 @@ TEST_CASE("one short look changes no map, two long ones do") {
   };
   CHECK_FALSE(is_written({drive("a", {seen("wall-0", kMoved, {0, 0.4}, 3)})}));
   CHECK(is_written({drive("a", {seen("wall-0", kMoved, {0, 0.4})}), drive("b", {seen("wall-0", kMoved, {0, 0.4})})}));
+}
+
+TEST_CASE("one look changes a map that has turned out to be wrong in many places, and not a good one") {
+  std::vector<VerdictLikelihood> good(100, {0.98, 0.01, 0.01}), wrong(50, {0.98, 0.01, 0.01});
+  for (int k = 0; k < 50; ++k) wrong.push_back({0.01, 0.98, 0.01});
+  CHECK(prior_shares(good)[1] < 0.03);
+  CHECK(prior_shares(wrong)[1] > 0.35);
+  CHECK(prior_share_of_additions({}) == Approx(0.1));
+  CHECK(prior_share_of_additions(std::vector<double>(40, 1000)) > 0.6);
+}
+
+TEST_CASE("faces of one object move by as much as each was seen elsewhere") {
+  const auto map = room();
+  Deviation wall = seen("wall-0", kMoved, {0, 0.4});
+  wall.faces = {{"wall-0/face", 0.25, 0.03}};
+  const auto built = applied(*map, {drive("a", {wall}), drive("b", {wall})});
+  CHECK(face_of(*built, "wall-0/face").begin.y() == Approx(0.25).margin(0.01));
 }
 
 TEST_CASE("drives that contradict each other are shown, not averaged") {

@@ -344,8 +344,7 @@ def make_tables(bench, driven, selection, seeds, page):
         "redrawn": lambda: redrawn.redrawn_table(bench, judged_cells),
         "sketched": lambda: sketched.sketched_table(bench, judged_cells),
         "furnished": lambda: furnished.furnished_table(bench, judged_cells),
-        "learning": lambda: learned()[0],
-        "learning-walls": lambda: learned()[1],
+        "learning": lambda: learned()[0], "learning-walls": lambda: learned()[1],
         "campus": lambda: campus.campus_table(bench, judged_cells),
     }
     return {table: makers[table]() for table in kinds}
