@@ -1,7 +1,7 @@
 #include "learning/drive_evidence.hpp"
 
 #include "learning/followed_leg.hpp"
-#include "survey/scan_odometry.hpp"
+#include "learning/scan_odometry.hpp"
 
 #include <iterator>
 #include <utility>

@@ -1,4 +1,4 @@
-#include "survey/scan_odometry.hpp"
+#include "learning/scan_odometry.hpp"
 
 #include "local_map/local_map_odometry.hpp"
 #include "survey/fused_motion.hpp"
