@@ -83,7 +83,7 @@ class ADrive(ADriveChecks):
     def test_what_a_drive_says_of_the_map_is_kept_while_it_is_driven(self):
         self.drive(2, "tf", "reliable", "--evidence", "evidence.json")
         drives = json.loads((self.folder / "evidence.json").read_text())
-        self.assertEqual([drive["drive"].split(", ")[-1] for drive in drives], ["visit 1"])
+        self.assertEqual([drive["drive"].split(", ")[-1] for drive in drives], ["part 1"])
         self.assertGreater(drives[0]["learned_m"], 1)
         learned = subprocess.run([PROGRAM, "learn", MALAGA / "malaga-demo.map.yaml", "evidence.json", "-o", "learned.jsonld"], cwd=self.folder,
                                  stdout=subprocess.PIPE, text=True, check=True)
