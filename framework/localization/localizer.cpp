@@ -49,7 +49,6 @@ struct Localizer::State {
   void check_sensors(const Sample& sample);
   void forget_drive();
   bool is_keyframe(const Sample& sample);
-  double best_scan_nat() const { return hypotheses.alive().empty() ? 0 : hypotheses.alive().front().scan_nat; }
   bool moved_enough(const Pose2& T_odom_base) const;
   bool fits_no_more(const Sample& sample) const;
   double tempering_weight() const;  ///< of the newest scan
@@ -126,8 +125,7 @@ std::optional<PoseEstimate> Localizer::update(const Sample& recorded) {
   s.watch();
   s.search_map(observation, sample);
   s.grow();
-  s.retrospective.remember(observation, s.keyframe, s.tempering_weight(), s.best_scan_nat(),
-                           s.hypotheses.places(s.local_map.T_local_base()));
+  s.hypotheses.remember(observation, s.keyframe, s.tempering_weight(), s.retrospective);
   const PoseEstimate estimate = s.with_place(s.estimate(observation));
   s.settle();
   s.journal.estimate(estimate, s.hypotheses.alive(), s.status.belief());

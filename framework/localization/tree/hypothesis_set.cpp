@@ -105,6 +105,13 @@ std::vector<PlaceComparison::Place> HypothesisSet::places(const Pose2& T_local_b
   return places;
 }
 
+void HypothesisSet::remember(const Observation& observation, KeyframeId keyframe, double tempering_weight,
+                             RetrospectiveVerification& retrospective) const {
+  const double best_nat = alive_.empty() ? 0 : alive_.front().scan_nat;
+  retrospective.remember(observation, keyframe, tempering_weight, best_nat,
+                         places(observation.local_map.T_local_base()));
+}
+
 void HypothesisSet::compare(const Observation& observation, double tempering_weight) {
   comparison_.add({observation.scans, tempering_weight, places(observation.local_map.T_local_base())});
   take_comparisons();

@@ -80,6 +80,12 @@ class OPAL_EXPORT HypothesisSet {
   void spawn(std::vector<VerifiedCandidate> candidates, const Observation& observation, double tempering_weight,
              RetrospectiveVerification& retrospective);
 
+  /// Keeps what the newest scan shows, and what the hypotheses are by it, for those that are spawned later.
+  /// @param keyframe  of the scan.
+  /// @param tempering_weight  of the scan, as for `track`.
+  void remember(const Observation& observation, KeyframeId keyframe, double tempering_weight,
+                RetrospectiveVerification& retrospective) const;
+
   /// Algorithm 2: every hypothesis says for each of these local features what it is on the map, or that it is not. The
   /// features that the map's index expects least often go first: they leave fewest branches.
   void grow(const std::vector<const LocalFeature*>& features, const LocalMap& local_map);
@@ -101,8 +107,6 @@ class OPAL_EXPORT HypothesisSet {
 
   void clear();
   const std::vector<Live>& alive() const { return alive_; }
-  /// Where the robot stands by each of them, best first.
-  std::vector<PlaceComparison::Place> places(const Pose2& T_local_base) const;
   const AssociationTree& tree() const { return tree_; }
 
  private:
@@ -150,6 +154,8 @@ class OPAL_EXPORT HypothesisSet {
   /// @return an id that no hypothesis has had.
   HypothesisId new_id();
   void end(Live& live, const std::string& reason, HypothesisId merged_into = {});
+  /// Where the robot stands by each of them, best first.
+  std::vector<PlaceComparison::Place> places(const Pose2& T_local_base) const;
   /// Holds the best places against each other: who explains less of what tells them apart loses evidence.
   void compare(const Observation& observation, double tempering_weight);
   /// The same by what was seen before, for those that come late.
