@@ -21,6 +21,7 @@ constexpr double kVisit_m = 60;
 constexpr double kWait_m = 30;
 constexpr double kBack_m = 60;
 constexpr std::size_t kBeamStride = 4;
+constexpr std::size_t kMostSkipped = 2000;  // samples
 
 }  // namespace
 
@@ -56,19 +57,19 @@ Eigen::Vector3d sigma_of(const PoseEstimate& estimate) {
 
 void SkippedSamples::add(const Sample& sample, const std::optional<PoseEstimate>& estimate) {
   constexpr double kApart_m = 0.05, kApart_rad = 0.05;
-  constexpr std::size_t kMost = 2000;
-  const auto pose = estimate ? std::optional(estimate->T_map_base) : std::nullopt;
+  const auto pose = estimate && estimate->has_pose ? std::optional(estimate->T_map_base) : std::nullopt;
   const auto is_near = [&](const Sample& before) {
     return distance_m(before.T_odom_base, sample.T_odom_base) < kApart_m &&
            angle_between_rad(before.T_odom_base, sample.T_odom_base) < kApart_rad;
   };
   if (!pose && !samples_.empty() && is_near(samples_.back().sample)) return;
   samples_.push_back({sample, pose});
-  if (samples_.size() > kMost) samples_.pop_front();
+  if (samples_.size() > kMostSkipped) samples_.pop_front();
 }
 
 void SkippedSamples::append(std::span<const Sample> samples) {
   for (const Sample& sample : samples) samples_.push_back({sample, std::nullopt});
+  while (samples_.size() > kMostSkipped) samples_.pop_front();
 }
 
 FollowedLeg::FollowedLeg(const LocalizerParts& parts, const PoseEstimate& estimate, const Sample& sample)
@@ -78,7 +79,7 @@ FollowedLeg::FollowedLeg(const LocalizerParts& parts, const PoseEstimate& estima
 
 void FollowedLeg::update(const Sample& sample, const std::optional<PoseEstimate>& estimate) {
   follow(sample);
-  if (estimate) compare(*estimate);
+  if (estimate && estimate->has_pose) compare(*estimate);
   if (tracker_.last().lost || visit_.driven_m > kVisit_m + kWait_m) is_over_ = true;
 }
 
