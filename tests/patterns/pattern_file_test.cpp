@@ -180,8 +180,8 @@ TEST_CASE("patterns of small maps are not kept, and those without a folder neith
 TEST_CASE("who looks patterns of a large map up keeps them where the map is kept") {
   const TemporaryFolder folder;
   std::vector<Feature> features;
-  for (int k = 0; features.size() < PatternCache::kLargeMap; ++k)
-    features.push_back(column(3.0 * (k % 100), 4.0 * (k / 100)));
+  for (int row = 0; features.size() < PatternCache::kLargeMap; ++row)
+    for (int k = 0; k < 100; ++k) features.push_back(column(3.0 * k, 4.0 * row));
   const auto map = map_of(features);
   const std::vector<Named<PatternTemplate>> templates{{"opal:ColumnPair", shipped("opal:ColumnPair")}};
   const auto kept = std::make_shared<const MapView>(map, "lidar", folder.path());
