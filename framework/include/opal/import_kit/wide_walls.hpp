@@ -8,7 +8,7 @@ namespace opal {
 
 /// A straight piece of a wall that was drawn by its middle. In the `map` frame.
 struct WidePiece {
-  Segment middle;
+  Segment middle;      ///< from end to end
   double width_m = 0;  ///< thickness of the wall
 };
 
