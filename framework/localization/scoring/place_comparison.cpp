@@ -55,7 +55,7 @@ void PlaceComparison::Pair::fade(double kept) {
 }
 
 auto PlaceComparison::find(HypothesisId one, HypothesisId other) -> Pair* {
-  const auto [first, second] = std::minmax(one, other);
+  const HypothesisId first = std::min(one, other), second = std::max(one, other);
   const auto found = std::find_if(pairs_.begin(), pairs_.end(),
                                   [&](const Pair& pair) { return pair.first == first && pair.second == second; });
   return found == pairs_.end() ? nullptr : &*found;
