@@ -19,4 +19,10 @@ std::optional<double> median_of(std::vector<double> values) {
   return quantile_of(values, 0.5);
 }
 
+double upper_median_of(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
 }  // namespace opal

@@ -1,5 +1,7 @@
 #include "derivation/sightings.hpp"
 
+#include <opal/common/quantile.hpp>
+
 #include <algorithm>
 
 namespace opal {
@@ -11,17 +13,11 @@ constexpr double kOneThing_m = 0.2, kOneThing_rad = 0.35;
 constexpr double kOneFace_m = 0.1, kOneFace_rad = 0.1;
 constexpr double kCell_m = 1;
 
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 template <class T, class Number>
 double median_by(const std::vector<Geometry>& views, Number number) {
   std::vector<double> values;
   for (const Geometry& view : views) values.push_back(number(std::get<T>(view)));
-  return median(std::move(values));
+  return upper_median_of(std::move(values));
 }
 
 Geometry middle_of(const std::vector<Geometry>& views, const Point&) {

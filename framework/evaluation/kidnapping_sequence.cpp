@@ -1,11 +1,13 @@
 #include "evaluation/kidnapping_sequence.hpp"
 
 #include <opal/common/error.hpp>
+#include <opal/common/quantile.hpp>
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <random>
+#include <utility>
 
 namespace opal {
 namespace {
@@ -76,8 +78,7 @@ double usual_step_s(std::span<const Sample> samples) {
   if (samples.size() < 2) return 0.1;
   std::vector<double> steps;
   for (std::size_t k = 1; k < samples.size(); ++k) steps.push_back(samples[k].stamp_s - samples[k - 1].stamp_s);
-  std::nth_element(steps.begin(), steps.begin() + steps.size() / 2, steps.end());
-  return steps[steps.size() / 2];
+  return upper_median_of(std::move(steps));
 }
 
 }  // namespace

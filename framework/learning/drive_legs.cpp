@@ -4,6 +4,7 @@
 #include "survey/seen_through.hpp"
 
 #include <opal/common/error.hpp>
+#include <opal/common/quantile.hpp>
 
 #include <fmt/format.h>
 
@@ -18,12 +19,6 @@ namespace {
 constexpr int kRounds = 2;
 // Where a leg began is known from a map that is wrong there: all that the drive sees says it better.
 const Eigen::Vector3d kStartSigma{1, 1, 0.2};
-
-double middle_of(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 ExpectedFeatures expected_from(const MapView& map, const MapBelief& belief, const Point& eye) {
   const PoseTrackerOptions options;
@@ -107,7 +102,7 @@ class SecondLook {
 
   MapBelief belief() const {
     MapBelief belief = counted_;
-    for (const auto& [feature, x] : x_) belief[feature].moved = {middle_of(x), middle_of(y_.at(feature))};
+    for (const auto& [feature, x] : x_) belief[feature].moved = {upper_median_of(x), upper_median_of(y_.at(feature))};
     return belief;
   }
 

@@ -1,5 +1,7 @@
 #include "learning/unmapped_faces.hpp"
 
+#include <opal/common/quantile.hpp>
+
 #include <algorithm>
 #include <set>
 
@@ -84,12 +86,6 @@ void add_view(std::vector<FaceViews>& faces, const Segment& view, std::size_t ke
   face->add(view, keyframe);
 }
 
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 /// What enough views of one face have in common: their median line, as far as several of them cover it.
 Segment common_face(const std::vector<Segment>& views, const Segment& longest) {
   const Point along = longest.direction(), across = longest.normal();
@@ -115,7 +111,7 @@ Segment common_face(const std::vector<Segment>& views, const Segment& longest) {
     best = k - from;
     best_from = from;
   }
-  const Point begin = longest.begin + median(offsets) * across + (low + best_from * kStep_m) * along;
+  const Point begin = longest.begin + upper_median_of(offsets) * across + (low + best_from * kStep_m) * along;
   return {begin, begin + best * kStep_m * along};
 }
 

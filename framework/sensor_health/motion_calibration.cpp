@@ -1,9 +1,12 @@
 #include "sensor_health/motion_calibration.hpp"
 
+#include <opal/common/quantile.hpp>
+
 #include <Eigen/Dense>
 
 #include <algorithm>
 #include <array>
+#include <utility>
 #include <vector>
 
 namespace opal {
@@ -23,9 +26,7 @@ double robust_weight(double normalized) { return normalized <= kHuber ? 1 : kHub
 
 /// Median of what most residuals are over what they should be: at least 1, so that luck is no precision.
 double excess_of(std::vector<double> normalized, double expected_median) {
-  const auto middle = normalized.begin() + static_cast<std::ptrdiff_t>(normalized.size() / 2);
-  std::nth_element(normalized.begin(), middle, normalized.end());
-  return std::max(1.0, *middle / expected_median);
+  return std::max(1.0, upper_median_of(std::move(normalized)) / expected_median);
 }
 
 // ---------------------------------------------------------------------------------------------- turns

@@ -1,5 +1,6 @@
 #include "doubts.hpp"
 
+#include <opal/common/quantile.hpp>
 #include <opal/import_kit/first_ids.hpp>
 #include <opal/map/perceivable_faces.hpp>
 
@@ -11,6 +12,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 
 namespace opal::dxf_importer {
 namespace {
@@ -61,9 +63,7 @@ double usual_door_m(const std::vector<PlanElement>& elements) {
   for (const PlanElement& element : elements)
     if (element.type == "opal:Door") widths_m.push_back(width_of_door_m(element));
   if (widths_m.empty()) return 0;
-  const auto middle = widths_m.begin() + static_cast<std::ptrdiff_t>(widths_m.size() / 2);
-  std::nth_element(widths_m.begin(), middle, widths_m.end());
-  return *middle;
+  return upper_median_of(std::move(widths_m));
 }
 
 std::vector<Segment> longest_faces(const SemanticMap& map) {

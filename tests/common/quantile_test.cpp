@@ -37,3 +37,9 @@ TEST_CASE("no values have no quantile and no median") {
   CHECK_FALSE(quantile_of({}, 0.5));
   CHECK_FALSE(median_of({}));
 }
+
+TEST_CASE("an upper median is the value in the middle, the greater one of two") {
+  CHECK(upper_median_of({3, 1, 2}) == 2);
+  CHECK(upper_median_of({4, 1, 3, 2}) == 3);
+  CHECK(upper_median_of({7}) == 7);
+}

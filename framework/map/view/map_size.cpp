@@ -1,10 +1,12 @@
 #include "map/view/map_size.hpp"
 
 #include <opal/common/error.hpp>
+#include <opal/common/quantile.hpp>
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 namespace opal {
@@ -17,12 +19,7 @@ Point middle_of(const SemanticMap& map, std::span<const MapFeatureNumber> number
     x.push_back(anchor.x());
     y.push_back(anchor.y());
   }
-  const auto median = [](std::vector<double>& all) {
-    const auto middle = all.begin() + std::ssize(all) / 2;
-    std::nth_element(all.begin(), middle, all.end());
-    return *middle;
-  };
-  return {median(x), median(y)};
+  return {upper_median_of(std::move(x)), upper_median_of(std::move(y))};
 }
 
 }  // namespace

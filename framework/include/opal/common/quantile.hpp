@@ -15,4 +15,8 @@ OPAL_EXPORT std::optional<double> quantile_of(std::span<const double> sorted, do
 /// The quantile of 0.5 of values in any order; none of no values.
 OPAL_EXPORT std::optional<double> median_of(std::vector<double> values);
 
+/// The value in the middle of values in any order, the greater one of two: unlike `median_of`, one that occurs. @param
+/// values  not empty.
+OPAL_EXPORT double upper_median_of(std::vector<double> values);
+
 }  // namespace opal
