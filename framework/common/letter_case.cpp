@@ -2,6 +2,7 @@
 
 #include <utf8proc.h>
 
+#include <algorithm>
 #include <array>
 
 namespace opal {
@@ -70,6 +71,10 @@ std::vector<std::string> words_of_name(const std::string& name) {
   }
   if (words.back().empty()) words.pop_back();
   return words;
+}
+
+bool has_any_word(const std::vector<std::string>& words, std::span<const std::string_view> known) {
+  return std::ranges::find_first_of(words, known) != words.end();
 }
 
 }  // namespace opal

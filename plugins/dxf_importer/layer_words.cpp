@@ -66,13 +66,6 @@ constexpr std::string_view kSignsOfNoPart[] = {"芯",   "中心", "壁心", "柱
                                                "壁柜", "拆",   "중심", "치수", "문자", "가구", "철거"};
 
 template <std::size_t N>
-bool has_any_word(const std::vector<std::string>& words, const std::string_view (&known)[N]) {
-  return std::any_of(words.begin(), words.end(), [&](const std::string& word) {
-    return std::find(std::begin(known), std::end(known), word) != std::end(known);
-  });
-}
-
-template <std::size_t N>
 bool has_any_sign(const std::string& layer, const std::string_view (&signs)[N]) {
   return std::any_of(std::begin(signs), std::end(signs),
                      [&](std::string_view sign) { return layer.find(sign) != std::string::npos; });

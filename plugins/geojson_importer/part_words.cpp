@@ -49,25 +49,18 @@ constexpr std::size_t kMostWords = 4;
 
 using Words = std::vector<std::string>;
 
-template <std::size_t N>
-bool has_any(const Words& words, const std::string_view (&known)[N]) {
-  return std::any_of(words.begin(), words.end(), [&](const std::string& word) {
-    return std::find(std::begin(known), std::end(known), word) != std::end(known);
-  });
-}
-
 bool is_area(const Feature& feature) { return !feature.shapes.polygons.empty(); }
 
 std::optional<std::string> class_of_words(const Words& words, bool may_be_area) {
   if (words.empty() || words.size() > kMostWords) return std::nullopt;
-  if (has_any(words, kWalls)) return "opal:Wall";
-  if (has_any(words, kColumns)) return "opal:Column";
-  if (has_any(words, kDoors)) return "opal:Door";
-  if (has_any(words, kWindows)) return "opal:Window";
+  if (has_any_word(words, kWalls)) return "opal:Wall";
+  if (has_any_word(words, kColumns)) return "opal:Column";
+  if (has_any_word(words, kDoors)) return "opal:Door";
+  if (has_any_word(words, kWindows)) return "opal:Window";
   if (!may_be_area) return std::nullopt;
   // "lift lobby", "waiting room": a wall that is missing on the map does less harm than one that is none.
-  if (has_any(words, kCorridors) || (words.size() == 1 && words.front() == "HALL")) return kCorridor;
-  return has_any(words, kRooms) ? std::optional<std::string>(kRoom) : std::nullopt;
+  if (has_any_word(words, kCorridors) || (words.size() == 1 && words.front() == "HALL")) return kCorridor;
+  return has_any_word(words, kRooms) ? std::optional<std::string>(kRoom) : std::nullopt;
 }
 
 /// Keys of OpenStreetMap that also stand outside: they speak of rooms on a level only.
@@ -88,19 +81,19 @@ std::optional<std::pair<std::string, std::string>> class_by_words(const Feature&
     if (is_area(feature) && (name == "stairs" || name == "elevator") && text == "yes") return found(kRoom);
     if (name == "name" && words_of_name(text).size() == 1)  // "wall_12" of programs that have no other property
       if (const auto type = class_of_words(words_of_name(text), false)) return found(*type);
-    if (!has_any(words_of_name(key), kKindKeys) || is_outside(feature, name)) continue;
+    if (!has_any_word(words_of_name(key), kKindKeys) || is_outside(feature, name)) continue;
     if (const auto type = class_of_words(words_of_name(text), is_area(feature))) return found(*type);
     if (is_area(feature) && name == "room") return found(kRoom);  // room=* of OpenStreetMap
   }
   return std::nullopt;
 }
 
-bool is_kind_key(const std::string& key) { return has_any(words_of_name(key), kKindKeys); }
+bool is_kind_key(const std::string& key) { return has_any_word(words_of_name(key), kKindKeys); }
 
 std::optional<std::string> class_by_name(const std::string& collection) {
   const Words words = words_of_name(collection);
   const auto type = class_of_words(words, true);
-  return type && *type == kRoom && !has_any(words, kCalledRooms) ? std::nullopt : type;
+  return type && *type == kRoom && !has_any_word(words, kCalledRooms) ? std::nullopt : type;
 }
 
 }  // namespace opal::geojson_importer

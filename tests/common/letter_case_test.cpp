@@ -24,3 +24,10 @@ TEST_CASE("words of a name end at digits, signs and before capitals") {
   CHECK(words_of_name("").empty());
   CHECK(words_of_name("0-1").empty());
 }
+
+TEST_CASE("words are known as a whole") {
+  constexpr std::string_view kKnown[] = {"WALL", "MUR"};
+  CHECK(has_any_word(words_of_name("old mur"), kKnown));
+  CHECK_FALSE(has_any_word(words_of_name("walls"), kKnown));
+  CHECK_FALSE(has_any_word({}, kKnown));
+}

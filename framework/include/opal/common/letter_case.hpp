@@ -2,7 +2,9 @@
 
 #include <opal/common/export.hpp>
 
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace opal {
@@ -15,5 +17,7 @@ OPAL_EXPORT std::string lower_case_letters(const std::string& text);
 /// The words of a name in upper case: "0_Murature 2" has MURATURE. Whatever is no letter divides words, and so does the
 /// step from a small letter to a capital.
 OPAL_EXPORT std::vector<std::string> words_of_name(const std::string& name);
+/// Whether one of the words is a known one.
+OPAL_EXPORT bool has_any_word(const std::vector<std::string>& words, std::span<const std::string_view> known);
 
 }  // namespace opal
