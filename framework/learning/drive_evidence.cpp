@@ -81,7 +81,8 @@ struct DriveObserver::State {
     if (!last) return std::nullopt;
     std::vector<Sample> samples{last->sample};
     for (const SkippedSample& each : skipped.all())
-      if (is_keyframe(samples.back(), each.sample)) samples.push_back(each.sample);
+      if (parts.keyframes.are_apart(samples.back().T_odom_base, each.sample.T_odom_base))
+        samples.push_back(each.sample);
     samples.push_back(leg->first_sample());
     DriveLeg gap;
     gap.track = scan_odometry(parts, samples, legs[last->end.leg].track[last->end.keyframe].T_map_base);
@@ -92,11 +93,6 @@ struct DriveObserver::State {
     gap.visits = {samples.size()};
     gap.is_gap = true;
     return gap;
-  }
-
-  bool is_keyframe(const Sample& before, const Sample& now) const {
-    return distance_m(before.T_odom_base, now.T_odom_base) > parts.keyframes.distance_m ||
-           angle_between_rad(before.T_odom_base, now.T_odom_base) > parts.keyframes.angle_rad;
   }
 
   void put_together() {

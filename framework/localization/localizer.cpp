@@ -164,8 +164,7 @@ bool Localizer::State::is_keyframe(const Sample& sample) {
 }
 
 bool Localizer::State::moved_enough(const Pose2& now) const {
-  return !started || distance_m(T_odom_base, now) > parts.keyframes.distance_m ||
-         angle_between_rad(T_odom_base, now) > parts.keyframes.angle_rad;
+  return !started || parts.keyframes.are_apart(T_odom_base, now);
 }
 
 /// A robot that stands, and sees something else than it should, has been kidnapped or turned.

@@ -94,8 +94,7 @@ struct PoseTracker::State {
 };
 
 bool PoseTracker::State::moved_enough(const Pose2& now) const {
-  return !started || distance_m(T_odom_base, now) > parts.keyframes.distance_m ||
-         angle_between_rad(T_odom_base, now) > parts.keyframes.angle_rad;
+  return !started || parts.keyframes.are_apart(T_odom_base, now);
 }
 
 /// Where odometry and scan matching say that the robot is now.

@@ -29,6 +29,11 @@ namespace opal {
 struct KeyframeOptions {
   double distance_m = 0.1;  ///< driving after which the next scan is a keyframe
   double angle_rad = 0.2;   ///< turning after which the next scan is a keyframe
+
+  /// Whether a scan is a keyframe after another one. @param before, now  poses of the robot in one frame.
+  bool are_apart(const Pose2& before, const Pose2& now) const {
+    return opal::distance_m(before, now) > distance_m || angle_between_rad(before, now) > angle_rad;
+  }
 };
 
 /// Everything a localizer is made of. `Deployment` (deployment.hpp) builds it from files.
