@@ -21,7 +21,6 @@ constexpr double kVisit_m = 60;
 constexpr double kWait_m = 30;
 constexpr double kBack_m = 60;
 constexpr std::size_t kBeamStride = 4;
-constexpr std::size_t kMostSkipped = 2000;  // samples
 
 }  // namespace
 
@@ -63,13 +62,17 @@ void SkippedSamples::add(const Sample& sample, const std::optional<PoseEstimate>
            angle_between_rad(before.T_odom_base, sample.T_odom_base) < kApart_rad;
   };
   if (!pose && !samples_.empty() && is_near(samples_.back().sample)) return;
-  samples_.push_back({sample, pose});
-  if (samples_.size() > kMostSkipped) samples_.pop_front();
+  keep({sample, pose});
 }
 
 void SkippedSamples::append(std::span<const Sample> samples) {
-  for (const Sample& sample : samples) samples_.push_back({sample, std::nullopt});
-  while (samples_.size() > kMostSkipped) samples_.pop_front();
+  for (const Sample& sample : samples) keep({sample, std::nullopt});
+}
+
+void SkippedSamples::keep(SkippedSample sample) {
+  constexpr std::size_t kMost = 2000;
+  samples_.push_back(std::move(sample));
+  if (samples_.size() > kMost) samples_.pop_front();
 }
 
 FollowedLeg::FollowedLeg(const LocalizerParts& parts, const PoseEstimate& estimate, const Sample& sample)

@@ -25,6 +25,8 @@ class SkippedSamples {
   const std::deque<SkippedSample>& all() const { return samples_; }  ///< oldest first
 
  private:
+  void keep(SkippedSample sample);
+
   std::deque<SkippedSample> samples_;
 };
 

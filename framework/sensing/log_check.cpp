@@ -95,7 +95,7 @@ std::vector<LaserModel> lasers_of_log(std::span<const LogRecord> records, std::v
   std::vector<LaserModel> lasers;
   for (std::size_t k = 0; k < described.size(); ++k) {
     const std::string place = described_in + (are_several ? "/" + std::to_string(k) : "");
-    const bool is_silent = !described[k].frame.empty() && !has_scan_of(records, described[k]);
+    const bool is_silent = std::ranges::find(silent, described[k].frame) != silent.end();
     if (is_silent && !may_be_silent)
       throw ConfigError(fmt::format("{}: {} has no scan of frame \"{}\"; its scans have: {}", place, log,
                                     described[k].frame, frames_in(records)));
