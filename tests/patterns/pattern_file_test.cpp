@@ -4,11 +4,11 @@
 #include "patterns/pattern_cache.hpp"
 
 #include "tests/kit/file_content.hpp"
+#include "tests/kit/same_bytes.hpp"
 #include "tests/kit/temporary_folder.hpp"
 
 #include <catch2/catch.hpp>
 
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <random>
@@ -46,18 +46,13 @@ PatternCache::EachPattern each_of(const std::vector<PatternInstance>& patterns) 
   };
 }
 
-template <class T>
-bool same(const ReadOnlyArray<T>& a, const ReadOnlyArray<T>& b) {
-  return a.size() == b.size() && std::memcmp(a.values().data(), b.values().data(), a.values().size_bytes()) == 0;
-}
-
 bool same(const PatternIndex& a, const PatternIndex& b) {
   const auto &one = a.patterns().columns(), &other = b.patterns().columns();
   const auto &tree = a.tree().arrays(), &other_tree = b.tree().arrays();
-  return one.slots == other.slots && a.tree().dimensions() == b.tree().dimensions() && same(one.frames, other.frames) &&
-         same(one.members, other.members) && same(one.extents_m, other.extents_m) &&
-         same(tree.order, other_tree.order) && same(tree.values, other_tree.values) &&
-         same(tree.boxes, other_tree.boxes);
+  return one.slots == other.slots && a.tree().dimensions() == b.tree().dimensions() &&
+         same_bytes(one.frames, other.frames) && same_bytes(one.members, other.members) &&
+         same_bytes(one.extents_m, other.extents_m) && same_bytes(tree.order, other_tree.order) &&
+         same_bytes(tree.values, other_tree.values) && same_bytes(tree.boxes, other_tree.boxes);
 }
 
 void write_bytes(const fs::path& file, const std::string& bytes) {

@@ -4,13 +4,13 @@
 #include "walls.hpp"
 
 #include "tests/kit/file_content.hpp"
+#include "tests/kit/same_bytes.hpp"
 #include "tests/kit/temporary_folder.hpp"
 
 #include <catch2/catch.hpp>
 
 #include <opal/map/view/map_view.hpp>
 
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <thread>
@@ -58,14 +58,10 @@ struct Written {
   std::string whole;  ///< its bytes
 };
 
-template <class T>
-bool same(const ReadOnlyArray<T>& a, const ReadOnlyArray<T>& b) {
-  return a.size() == b.size() && std::memcmp(a.values().data(), b.values().data(), a.values().size_bytes()) == 0;
-}
-
 bool same(const SurfaceTiles& a, const SurfaceTiles& b) {
-  return same(a.tile_of, b.tile_of) && same(a.distances_cm, b.distances_cm) && same(a.coarse_cm, b.coarse_cm) &&
-         same(a.block_of, b.block_of) && same(a.blocks, b.blocks) && same(a.names, b.names);
+  return same_bytes(a.tile_of, b.tile_of) && same_bytes(a.distances_cm, b.distances_cm) &&
+         same_bytes(a.coarse_cm, b.coarse_cm) && same_bytes(a.block_of, b.block_of) && same_bytes(a.blocks, b.blocks) &&
+         same_bytes(a.names, b.names);
 }
 
 void write_bytes(const fs::path& file, const std::string& bytes) {
