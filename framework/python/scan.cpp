@@ -2,6 +2,7 @@
 #include "python/bindings.hpp"
 #include "python/values/arrays.hpp"
 
+#include "deployment/mount_document.hpp"
 #include "evaluation/site.hpp"
 
 #include <opal/deployment/deployment.hpp>
@@ -22,17 +23,14 @@ namespace {
 LaserModel make_laser(int beams, double angle_min_rad, double angle_increment_rad, const GivenArray& mount,
                       double range_min_m, double range_max_m, double no_return_m, const std::string& id,
                       const std::string& frame) {
-  const Pose2 T_base_laser = pose_of(mount, "mount");
-  nlohmann::json sensor = {
-      {"beams", beams},
-      {"angle_min_rad", angle_min_rad},
-      {"angle_increment_rad", angle_increment_rad},
-      {"range_min_m", range_min_m},
-      {"range_max_m", range_max_m},
-      {"no_return_m", no_return_m},
-      {"id", id},
-      {"T_base_laser",
-       {{"x_m", T_base_laser.x()}, {"y_m", T_base_laser.y()}, {"heading_rad", T_base_laser.heading_rad()}}}};
+  nlohmann::json sensor = {{"beams", beams},
+                           {"angle_min_rad", angle_min_rad},
+                           {"angle_increment_rad", angle_increment_rad},
+                           {"range_min_m", range_min_m},
+                           {"range_max_m", range_max_m},
+                           {"no_return_m", no_return_m},
+                           {"id", id},
+                           {"T_base_laser", nlohmann::json(mount_document(pose_of(mount, "mount")))}};
   if (!frame.empty()) sensor["frame"] = frame;
   const nlohmann::json document = {{"@context", "urn:opal:v1"},
                                    {"@type", "opal:Deployment"},

@@ -81,6 +81,7 @@ class RobotNode {
   void fall_back_to_odometry_topic();
   void return_to_transforms(const std::string& base_frame);
   void announce(const std::stop_token& stop);
+  void start_announcing();
   void look_around();
   void tell_health(ServiceNotice& notice);
   NodeState state();

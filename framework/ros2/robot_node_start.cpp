@@ -26,8 +26,12 @@ void RobotNode::begin() {
   if (early_hint_) live_->hint(*early_hint_);
   for (LogRecord& record : before_) localize(std::move(record), std::numeric_limits<double>::quiet_NaN());
   before_.clear();
-  announcer_ = std::jthread([this](const std::stop_token& stop) { announce(stop); });
+  start_announcing();
   std::cerr << "ros2: localizing\n";
+}
+
+void RobotNode::start_announcing() {
+  announcer_ = std::jthread([this](const std::stop_token& stop) { announce(stop); });
 }
 
 /// With the lasers that these records have scans of.
@@ -58,7 +62,7 @@ bool RobotNode::begin_anew_with(const std::string& frame) {
   }
   if (last.estimate.status == Status::localized)
     live_->hint({last.estimate.T_map_base, kMemorySigmaM, kMemorySigmaRad});
-  announcer_ = std::jthread([this](const std::stop_token& stop) { announce(stop); });
+  start_announcing();
   return is_used;
 }
 

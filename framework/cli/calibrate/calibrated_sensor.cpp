@@ -1,4 +1,5 @@
 #include "cli/calibrate/calibrated_sensor.hpp"
+#include "deployment/mount_document.hpp"
 
 namespace opal::cli {
 
@@ -16,9 +17,7 @@ std::string write_mount(nlohmann::ordered_json& document, const LaserModel& desc
     sensor["angle_min_rad"] = used.angle_min_rad;
     sensor["angle_increment_rad"] = used.angle_increment_rad;
     sensor["beams"] = used.beams;
-    const Pose2& T_base_laser = used.T_base_laser;
-    sensor["T_base_laser"] = {
-        {"x_m", T_base_laser.x()}, {"y_m", T_base_laser.y()}, {"heading_rad", T_base_laser.heading_rad()}};
+    sensor["T_base_laser"] = mount_document(used.T_base_laser);
   }
   sensor["T_base_laser"].merge_patch(mount);
   return "";

@@ -1,17 +1,12 @@
 #include "benchmark/runs/event_file.hpp"
 #include "benchmark/runs/localize_run.hpp"
-#include "benchmark/runs/recorded_log.hpp"
 #include "cli/options/exit_code.hpp"
-#include "cli/options/log_run_options.hpp"
+#include "cli/options/log_run_setup.hpp"
 #include "cli/options/run_products.hpp"
 #include "cli/options/verbs.hpp"
 #include "cli/terminal/live_view.hpp"
 #include "cli/terminal/run_end.hpp"
 #include "cli/terminal/stop_signals.hpp"
-#include "sensing/log_check.hpp"
-#include "session/session.hpp"
-
-#include <opal/deployment/deployment.hpp>
 #include "localization/events/run_events.hpp"
 
 #include <fmt/format.h>
@@ -30,41 +25,9 @@ struct LocalizeOptions : LogRunOptions {
   double speed = 0;
 };
 
-/// What was asked for, ready to run.
-struct LocalizeSetup {
-  PluginRegistry plugins;
-  Deployment deployment;
-  benchmark::RecordedLog log;
-  std::vector<Query> windows;
-  std::string mount_doubt;  ///< in words; empty: the laser's place on the robot is stated
-  std::optional<GroundTruth> truth;
-  LocalizerParts parts;
-  std::vector<std::string> silent_lasers = {};  ///< frames that are described, and have no scan
-};
-
-LocalizeSetup set_up(const LocalizeOptions& options) {
-  Deployment deployment = options.deployment();
-  LocalizeSetup setup{session::load_plugins(deployment), std::move(deployment), {}, {}, {}, {}, {}};
-  const auto map = session::load_map(setup.plugins, setup.deployment);
-  setup.log = benchmark::read_recorded_log(setup.plugins, options.log, setup.deployment, options.log_words);
-  setup.silent_lasers = silent_lasers(setup.log.records, setup.deployment.lasers);
-  setup.deployment.lasers = options.lasers_of(setup.log.records, setup.deployment.lasers);
-  setup.mount_doubt = options.mount_doubt(setup.log.records, setup.deployment);
-  setup.windows = options.windows();
-  if (!options.queries.empty()) benchmark::expect_scans(setup.windows, setup.log, options.queries);
-  if (!options.truth.empty()) setup.truth = GroundTruth::read(options.truth);
-  if (setup.truth) benchmark::expect_overlap(*setup.truth, setup.log, options.truth);
-  setup.parts = build_parts(setup.deployment, setup.plugins, map);
-  return setup;
-}
-
-void tell(const benchmark::LocalizeRun& run, const LocalizeSetup& setup, const std::string& out) {
+void tell(const benchmark::LocalizeRun& run, const LogRunSetup& setup, const std::string& out) {
   run.print();
-  if (!setup.mount_doubt.empty()) fmt::print("sensor: {}\n", setup.mount_doubt);
-  for (const std::string& frame : setup.silent_lasers) fmt::print("sensor: laser {}: no scan in the log\n", frame);
-  for (const auto& [cause, count] : setup.log.defects) fmt::print("log: {}: {} times\n", cause, count);
-  for (const std::string& doubt : benchmark::doubts_of(setup.log, setup.deployment.lasers.front()))
-    fmt::print("log: {}\n", doubt);
+  setup.tell_doubts();
   fmt::print("written to {}: trajectory.tum, results.csv, events.jsonl, first_scan and picture as .svg and .png\n",
              out);
   if (!run.complete() && setup.windows.size() > 1)
@@ -72,7 +35,7 @@ void tell(const benchmark::LocalizeRun& run, const LocalizeSetup& setup, const s
 }
 
 int localize(const LocalizeOptions& options) {
-  const LocalizeSetup setup = set_up(options);
+  const LogRunSetup setup = set_up(options, options.deployment());
   const StopSignals signals;  // before other threads
   std::optional<LiveView> live;
   if (options.serve) live.emplace(options.port, signals.token());

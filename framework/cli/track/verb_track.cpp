@@ -1,8 +1,7 @@
 #include "benchmark/runs/progress_bar.hpp"
-#include "benchmark/runs/recorded_log.hpp"
 #include "cli/options/damage_options.hpp"
 #include "cli/options/exit_code.hpp"
-#include "cli/options/log_run_options.hpp"
+#include "cli/options/log_run_setup.hpp"
 #include "cli/options/run_products.hpp"
 #include "cli/options/verbs.hpp"
 #include "cli/terminal/run_end.hpp"
@@ -10,11 +9,8 @@
 #include "cli/track/start_poses.hpp"
 #include "cli/track/track_output.hpp"
 #include "common/phrases.hpp"
-#include "sensing/log_check.hpp"
-#include "session/session.hpp"
 
 #include <opal/common/error.hpp>
-#include <opal/deployment/deployment.hpp>
 
 #include <fmt/format.h>
 
@@ -51,34 +47,6 @@ StartAt given_start(const Pose2& T_map_base) {
   return [=](double) { return StartPose{T_map_base, {kGivenSigma_m, kGivenSigma_m, kGivenSigma_rad}}; };
 }
 
-/// What was asked for, ready to run.
-struct TrackSetup {
-  PluginRegistry plugins;
-  Deployment deployment;
-  std::shared_ptr<const SemanticMap> map;
-  benchmark::RecordedLog log;
-  std::string mount_doubt;  ///< in words; empty: the laser's place on the robot is stated
-  std::optional<GroundTruth> truth;
-  LocalizerParts parts;
-  std::vector<std::string> silent_lasers = {};  ///< frames that are described, and have no scan
-};
-
-TrackSetup set_up(const TrackOptions& options) {
-  Deployment deployment = deployment_for(options);
-  TrackSetup setup{session::load_plugins(deployment), std::move(deployment), {}, {}, {}, {}, {}};
-  setup.map = session::load_map(setup.plugins, setup.deployment);
-  if (options.damage.any()) setup.map = damaged_map(*setup.map, options.damage.damage());
-  setup.log = benchmark::read_recorded_log(setup.plugins, options.log, setup.deployment, options.log_words);
-  setup.silent_lasers = silent_lasers(setup.log.records, setup.deployment.lasers);
-  setup.deployment.lasers = options.lasers_of(setup.log.records, setup.deployment.lasers);
-  setup.mount_doubt = options.mount_doubt(setup.log.records, setup.deployment);
-  if (!options.queries.empty()) benchmark::expect_scans(options.windows(), setup.log, options.queries);
-  if (!options.truth.empty()) setup.truth = GroundTruth::read(options.truth);
-  if (setup.truth) benchmark::expect_overlap(*setup.truth, setup.log, options.truth);
-  setup.parts = build_parts(setup.deployment, setup.plugins, setup.map);
-  return setup;
-}
-
 std::vector<std::string> products(const TrackOptions& options) {
   std::vector<std::string> names = run_products();
   if (options.offline) names.emplace_back("truth.csv");
@@ -86,7 +54,7 @@ std::vector<std::string> products(const TrackOptions& options) {
 }
 
 /// Tracks one window after the other. @return the last one, which may be cut.
-TrackedWindow track_windows(const TrackOptions& options, const TrackSetup& setup, PoseTracker& tracker,
+TrackedWindow track_windows(const TrackOptions& options, const LogRunSetup& setup, PoseTracker& tracker,
                             TrackOutput& output, const std::stop_token& stop) {
   const auto pose = options.pose.empty() ? std::nullopt : std::make_optional(read_pose(options.pose));
   const Disturbance disturbance = options.disturb.empty() ? Disturbance{} : read_disturbance(options.disturb);
@@ -94,15 +62,14 @@ TrackedWindow track_windows(const TrackOptions& options, const TrackSetup& setup
   std::optional<StartPoses> starts;
   if (setup.truth) starts.emplace(*setup.truth, laser.T_base_laser, disturbance, options.disturb_seed);
   TrackedWindow window;
-  const std::vector<Query> windows = options.windows();
-  for (const Query& query : windows) {
+  for (const Query& query : setup.windows) {
     if (!options.keep_offsets) tracker.forget_offsets();
     ReplayOptions cut;
     cut.from_s = query.start_s;
     cut.to_s = query.end_s;
     Replay replay(setup.log.records, setup.deployment.lasers, cut);
     window = track_window(tracker, laser, replay, query.id, pose ? given_start(*pose) : starts->next(), stop);
-    if (!window.is_cut || windows.size() == 1) output.add(window);
+    if (!window.is_cut || setup.windows.size() == 1) output.add(window);
     if (window.is_cut) break;
   }
   return window;
@@ -123,16 +90,9 @@ MapBelief smooth(const PoseTracker& tracker, const TrackedWindow& window, TrackO
   return smoothed->belief;
 }
 
-void tell_doubts(const TrackSetup& setup) {
-  if (!setup.mount_doubt.empty()) fmt::print("sensor: {}\n", setup.mount_doubt);
-  for (const std::string& frame : setup.silent_lasers) fmt::print("sensor: laser {}: no scan in the log\n", frame);
-  for (const std::string& doubt : benchmark::doubts_of(setup.log, setup.deployment.lasers.front()))
-    fmt::print("log: {}\n", doubt);
-}
-
 int track(const TrackOptions& options) {
   expect_start(options);
-  const TrackSetup setup = set_up(options);
+  const LogRunSetup setup = set_up(options, deployment_for(options), options.damage.asked());
   PoseTracker tracker(setup.parts);
   const StopSignals signals;
   OutputFolder folder(options.out, "opal track", products(options));
@@ -143,7 +103,7 @@ int track(const TrackOptions& options) {
   output.write_deviations(is_smoothed ? smooth(tracker, window, output, signals.token()) : tracker.belief());
   if (window.rows.empty() && !window.is_cut)
     throw LogError(options.log + ": no scan with odometry to track" + (setup.truth ? " that the truth covers" : ""));
-  tell_doubts(setup);
+  setup.tell_doubts();
   if (window.last.lost) fmt::print("lost: at the end the scans do not fit the map where the track is\n");
   return end_run(folder, signals.signal(), window.last.lost ? kNo : kDone);
 }

@@ -13,6 +13,8 @@
 
 #include <fmt/format.h>
 
+#include <optional>
+
 namespace opal::experiments {
 namespace {
 
@@ -21,8 +23,8 @@ class Trace {
  public:
   void add(const JudgedAnswer& answer) {
     constexpr double kEvery_m = 0.2;
-    const bool is_elsewhere = truth_.empty() || simulation::was_kidnapped(truth_.back().pose, answer.truth);
-    truth_.push_back({answer.stamp_s, answer.truth});
+    const bool is_elsewhere = !before_ || simulation::was_kidnapped(*before_, answer.truth);
+    before_ = answer.truth;
     auto& stretches = way_.stretches;
     const Point at = answer.truth.position();
     if (is_elsewhere)
@@ -37,12 +39,17 @@ class Trace {
     way.name = name;
     return svg_of(map, {way.stretches.empty() ? std::vector<WaysPicture::Way>{} : std::vector{way}, {}, {}});
   }
-  const std::vector<StampedPose>& truth() const { return truth_; }
 
  private:
   WaysPicture::Way way_;
-  std::vector<StampedPose> truth_;
+  std::optional<Pose2> before_;  ///< the truth of the answer before
 };
+
+std::vector<StampedPose> truth_of(const simulation::Recording& recording) {
+  std::vector<StampedPose> truth;
+  for (const simulation::RecordedScan& each : recording.scans) truth.push_back({each.scan.stamp_s, each.T_map_base});
+  return truth;
+}
 
 std::string caption_of(const JudgedDrive& judged) {
   const auto& [drive, run, cpu_s, failure] = judged;
@@ -94,9 +101,9 @@ ShownDrive repeat_drive(const DrawnDrive& drive, const CampaignRobots& robots, c
   ShownDrive shown{{drive, {}, 0, ""}, "", ""};
   IntegrityObserver observer;
   observer.events = &events;
+  observer.begins = [&](const simulation::Recording& recording) { events.write(truth_event(truth_of(recording))); };
   observer.answered = [&](const JudgedAnswer& answer) { trace.add(answer); };
   shown.drive.run = run_drive(drive, world, robots, observer);
-  events.write(truth_event(trace.truth()));
   events.finish();
   benchmark::write_view_page({{folder.string(), name}}, (folder / "page.html").string());
   shown.picture = trace.picture(*world.map, name);

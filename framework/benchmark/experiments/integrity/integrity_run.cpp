@@ -73,6 +73,7 @@ IntegrityRun run_drive(const DrawnDrive& drive, const DriveWorld& world, const C
                        const IntegrityObserver& observer) {
   const Deployment& robot = robots.of(drive);
   const simulation::Recording recording = recorded(drive, world, robot);
+  if (observer.begins) observer.begins(recording);
   IntegrityRun run;
   Watch watch(drive, recording, run);
   LiveCore core(build_parts(robot, *robots.registry, world.map), {}, observer.events);

@@ -40,6 +40,7 @@ struct JudgedAnswer {
 /// What was driven, and who looks on; all may be empty.
 struct IntegrityObserver {
   EventSink* events = nullptr;
+  std::function<void(const simulation::Recording&)> begins;  ///< before the first answer
   std::function<void(const JudgedAnswer&)> answered;
 };
 

@@ -198,4 +198,7 @@ TEST_CASE("a repeated drive leaves its document, its events and a page") {
   CHECK(to_json(drawn_drive_from(nlohmann::json::parse(content_of((left / "drive.json").string())), "")) ==
         to_json(drive));
   CHECK_THAT(content_of((left / "page.html").string()), Contains("<html"));
+  const std::string events = content_of((left / "events.jsonl").string());
+  CHECK(events.find(R"("event":"truth")") <
+        events.find(R"("event":"estimate")"));  // a page shows the truth beside each answer
 }
