@@ -49,6 +49,9 @@ TEST_CASE("a site's laser is read in radians and metres") {
 TEST_CASE("a laser that sees less far than 30 m is used up to where it sees") {
   const TemporaryFile file("near.json", replaced(kInfo, "80.0", "8.0"));
   CHECK(read_site_laser(file.path()).range_max_m == 8);
+  const TemporaryFile stated("stated.json", replaced(kInfo, "80.0", "80.0, \"range_max_m\": 5.6"));
+  CHECK(read_site_laser(stated.path()).range_max_m == 5.6);
+  CHECK(read_site_laser(stated.path()).no_return_m == 80);
 }
 
 TEST_CASE("a wrong description of a laser is refused with its place") {
@@ -62,6 +65,7 @@ TEST_CASE("a wrong description of a laser is refused with its place") {
   CHECK(told("-90.0", "\"-90\"") == ": /laser/angle_min_deg: \"-90\", expected degrees in [-360, 360]");
   CHECK(told("1.0,", "0,") == ": /laser/angle_increment_deg: 0, expected degrees in (0, 90]");
   CHECK(told("80.0", "null") == ": /laser/no_return_at_or_above_m: null, expected metres, more than 0.05");
+  CHECK(told("80.0", "80.0, \"range_max_m\": 0") == ": /laser/range_max_m: 0, expected metres, more than 0.05");
   CHECK(told("\"laser\"", "\"sonar\"") == ": /laser: missing, expected an object");
   CHECK(complaint(read_site_laser, "[1, 2]") == ": (root): [1,2], expected an object");
   CHECK_THAT(complaint(read_site_laser, "{\"laser\": "), Catch::Contains("line 1"));

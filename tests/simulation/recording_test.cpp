@@ -1,6 +1,7 @@
 #include "tests/kit/file_content.hpp"
 #include "tests/kit/temporary_folder.hpp"
 
+#include "evaluation/site.hpp"
 #include "simulation/drives/recording.hpp"
 
 #include <opal/common/error.hpp>
@@ -43,6 +44,16 @@ TEST_CASE("the same seed gives the same files to the byte, another seed others")
   for (const char* end : {".log.gz", ".gt.csv", ".info.json", ".queries.json"})
     CHECK(content_of(a + end) == content_of(b + end));
   CHECK(content_of(a + ".log.gz") != content_of(c + ".log.gz"));
+}
+
+TEST_CASE("who reads a simulated recording knows how far its laser sees") {
+  SimulationOptions options = clean();
+  options.laser.range_max_m = 3.5;
+  const TemporaryFolder folder;
+  write_recording(recorded(options, 3), folder.path_of("near"), "room");
+  const LaserModel laser = read_site_laser(folder.path_of("near.info.json"));
+  CHECK(laser.range_max_m == 3.5);
+  CHECK(laser.no_return_m == options.laser.no_return_m);
 }
 
 TEST_CASE("a sweep that takes time reads the walls beam after beam, and its stamp is that of the first beam") {

@@ -72,6 +72,7 @@ nlohmann::ordered_json laser_of(const LaserModel& laser) {
   nlohmann::ordered_json described = {{"n_beams", laser.beams},
                                       {"angle_min_deg", laser.angle_min_rad / kDegree_rad},
                                       {"angle_increment_deg", laser.angle_increment_rad / kDegree_rad},
+                                      {"range_max_m", laser.range_max_m},
                                       {"no_return_at_or_above_m", laser.no_return_m},
                                       {"offset_x_m", laser.T_base_laser.x()},
                                       {"offset_y_m", laser.T_base_laser.y()},
