@@ -83,8 +83,8 @@ LaserModel read_site_laser(const std::string& path) {
   model.no_return_m = number_in(laser, "no_return_at_or_above_m", model.range_min_m, 1e6, "metres, more than 0.05");
   model.range_max_m = std::min(model.no_return_m, kUsableRange_m);
   if (laser.has("range_max_m"))
-    model.range_max_m = std::min(model.range_max_m, number_in(laser, "range_max_m", model.range_min_m, 1e6,
-                                                              "metres, more than 0.05"));
+    model.range_max_m =
+        std::min(model.range_max_m, number_in(laser, "range_max_m", model.range_min_m, 1e6, "metres, more than 0.05"));
   if (laser.has("sweep_s")) model.sweep_s = number_in(laser, "sweep_s", 0, 10, "seconds in [0, 10]");
   const std::string offset = "metres in [-100, 100]";
   model.T_base_laser =

@@ -1,5 +1,7 @@
 #include "reference_grid.hpp"
 
+#include <Eigen/Eigenvalues>
+
 #include <algorithm>
 #include <array>
 
@@ -18,6 +20,12 @@ constexpr double kInLineCosine = 0.95;
 
 constexpr double kNear_m = 0.15;
 constexpr double kAgreement = 0.9;  ///< mean length of a cell's normals below which it is a corner or clutter
+
+// So many cells to all sides tell whether a cell is a piece of a wall, and the direction across it, also where a wall
+// ends in view, and where range noise is as large as an arm. Along a wall the variance is so many times that across it.
+// About a right angle it is four times.
+constexpr int kNeighbours = 2;
+constexpr double kElongated = 8;
 
 /// The first point at least an arm's length from points[i], going by `step`; null: the scan ends or jumps before.
 const Point* arm(std::span<const Point> points, std::size_t i, int step) {
@@ -87,11 +95,34 @@ void ReferenceGrid::gather(std::span<const Point> reference) {
     surfel.mean += p;
     ++surfel.points;
   }
-  for (Surfel& surfel : surfels_) {
-    surfel.mean /= surfel.points;
-    const double agreement = surfel.normal.norm() / surfel.points;
-    surfel.normal = agreement > kAgreement ? surfel.normal.normalized() : Point::Zero();
-  }
+  for (Surfel& surfel : surfels_) surfel.mean /= surfel.points;
+  for (Surfel& surfel : surfels_) surfel.normal = normal_of(surfel);
+}
+
+/// Cells about it tell the direction of a wall best. Near corners and on small things it is that of its own points.
+Point ReferenceGrid::normal_of(const Surfel& surfel) const {
+  if (const Point across = normal_of_neighbours(surfel); !across.isZero()) return across;
+  return surfel.normal.norm() > kAgreement * surfel.points ? surfel.normal.normalized() : Point::Zero();
+}
+
+Point ReferenceGrid::normal_of_neighbours(const Surfel& surfel) const {
+  const int column = column_of(surfel.mean.x()), row = row_of(surfel.mean.y());
+  double points = 0;
+  Point sum = Point::Zero();
+  Eigen::Matrix2d squares = Eigen::Matrix2d::Zero();
+  for (int r = std::max(0, row - kNeighbours); r <= std::min(rows_ - 1, row + kNeighbours); ++r)
+    for (int c = std::max(0, column - kNeighbours); c <= std::min(columns_ - 1, column + kNeighbours); ++c) {
+      const std::uint32_t index = surfel_of_[cell(c, r)];
+      if (index == kNone) continue;
+      const Surfel& other = surfels_[index];
+      const Point away = other.mean - surfel.mean;
+      points += other.points;
+      sum += other.points * away;
+      squares += other.points * away * away.transpose();
+    }
+  const Eigen::Matrix2d scatter = squares / points - sum * sum.transpose() / (points * points);
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(scatter);
+  return axes.eigenvalues()[1] > kElongated * axes.eigenvalues()[0] ? Point(axes.eigenvectors().col(0)) : Point::Zero();
 }
 
 void ReferenceGrid::spread(std::uint32_t index) {

@@ -56,6 +56,10 @@ class ReferenceGrid {
   }
   void lay_out(std::span<const Point> reference);
   void gather(std::span<const Point> reference);
+  /// @param surfel  whose normal is still the sum over its points.
+  Point normal_of(const Surfel& surfel) const;
+  /// The direction across the surfels about this one, if they lie along a line; zero if they do not.
+  Point normal_of_neighbours(const Surfel& surfel) const;
   void spread(std::uint32_t surfel);
   template <int kSums>
   Sums sum_likelihood_field(std::span<const Cell> cells, int rows, int step, int count) const;

@@ -31,6 +31,12 @@ Case office_case(std::mt19937& random) {
           room::scan(room::office(), first * motion, kNoise_m, random), motion};
 }
 
+/// What a laser that does not see far sees in a bare corridor.
+std::vector<Point> seen_nearby(double x_m, std::mt19937& random) {
+  constexpr double kRange_m = 3.5, kLarge_m = 0.03;
+  return room::scan(room::corridor(), Pose2(x_m, 0, 0), kLarge_m, random, kRange_m);
+}
+
 }  // namespace
 
 TEST_CASE("the point-to-line matcher finds back from odometry errors of decimetres and ten degrees") {
@@ -142,4 +148,22 @@ TEST_CASE("time of one match", "[!benchmark]") {
   BENCHMARK("361 points against 1805, odometry off by 0.14 m and 6 degrees") {
     return matcher.match(reference, c.scan, guess, kSigma);
   };
+}
+
+TEST_CASE("a laser that does not see far is not held back by where walls end in view") {
+  constexpr int kSteps = 60;
+  constexpr double kStep_m = 0.1;
+  const PointToLineMatcher matcher({});
+  std::mt19937 random(10);
+  double ahead_m = 0;
+  for (int k = 0; k < kSteps; ++k) {
+    std::vector<Point> reference;
+    for (double x : {-0.8, -0.4, 0.0})
+      for (const Point& point : seen_nearby(x, random)) reference.push_back(Pose2(x, 0, 0) * point);
+    const ScanMatch match = matcher.match(reference, seen_nearby(kStep_m, random), Pose2(kStep_m, 0, 0), kSigma);
+    ahead_m += (match.T_reference_scan.x() - kStep_m) / kSteps;
+    CAPTURE(k);
+    CHECK(match.T_reference_scan.x() == Approx(kStep_m).margin(0.2));
+  }
+  CHECK(ahead_m == Approx(0).margin(0.04));
 }
