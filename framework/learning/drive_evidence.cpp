@@ -1,7 +1,7 @@
 #include "learning/drive_evidence.hpp"
 
 #include "learning/followed_leg.hpp"
-#include "learning/scan_odometry.hpp"
+#include "learning/gap_leg.hpp"
 
 #include <iterator>
 #include <utility>
@@ -11,23 +11,6 @@ namespace {
 
 // Visits whose poses are solved together: enough that no single wall decides, few enough to be told while driving.
 constexpr std::size_t kTogether = 10;
-
-/// Shares out, along a track, what its end is away from where it should be. @return false if that is too far.
-bool close(std::vector<TrackedKeyframe>& track, const Pose2& end) {
-  constexpr double kWay = 0.05, kLeast_m = 0.5, kMost_rad = 0.3;
-  double way_m = 0;
-  for (const TrackedKeyframe& keyframe : track) way_m += distance_m(Pose2(), keyframe.T_before_now);
-  const Pose2& found = track.back().T_map_base;
-  if (distance_m(found, end) > kLeast_m + kWay * way_m || angle_between_rad(found, end) > kMost_rad) return false;
-  const Point off = end.position() - found.position();
-  const double turn = wrap_angle(end.heading_rad() - found.heading_rad());
-  for (std::size_t k = 0; k < track.size(); ++k) {
-    const double share = static_cast<double>(k) / static_cast<double>(track.size() - 1);
-    Pose2& pose = track[k].T_map_base;
-    pose = Pose2(Point(pose.position() + share * off), pose.heading_rad() + share * turn);
-  }
-  return true;
-}
 
 }  // namespace
 
@@ -84,14 +67,11 @@ struct DriveObserver::State {
       if (parts.keyframes.are_apart(samples.back().T_odom_base, each.sample.T_odom_base))
         samples.push_back(each.sample);
     samples.push_back(leg->first_sample());
-    DriveLeg gap;
-    gap.track = scan_odometry(parts, samples, legs[last->end.leg].track[last->end.keyframe].T_map_base);
-    gap.begins_at = last->end;
-    gap.ends_at = LegPlace{number, 0};
-    if (!close(gap.track, next.track.front().T_map_base)) return std::nullopt;
-    for (const Sample& sample : samples) gap.views.push_back(view_of(sample));
-    gap.visits = {samples.size()};
-    gap.is_gap = true;
+    const Pose2& start = legs[last->end.leg].track[last->end.keyframe].T_map_base;
+    std::optional<DriveLeg> gap = gap_leg(parts, samples, start, next.track.front().T_map_base);
+    if (!gap) return std::nullopt;
+    gap->begins_at = last->end;
+    gap->ends_at = LegPlace{number, 0};
     return gap;
   }
 
