@@ -1,5 +1,6 @@
 #include "learning/drive_legs.hpp"
 
+#include "learning/landmarks.hpp"
 #include "survey/scan_on_map.hpp"
 #include "survey/seen_through.hpp"
 
@@ -15,8 +16,9 @@
 namespace opal {
 namespace {
 
-// What is recognized depends on the poses, and they on what is recognized.
-constexpr int kRounds = 2;
+// What is recognized depends on the poses, and they on what is recognized. In the first round, the map alone holds legs
+// together.
+constexpr int kRounds = 3;
 // Where a leg began is known from a map that is wrong there: all that the drive sees says it better.
 const Eigen::Vector3d kStartSigma{1, 1, 0.2};
 
@@ -45,17 +47,21 @@ MapBelief belief_of(const MapView& map, const SolvedLegs& solved) {
   return belief;
 }
 
-SolvedLegs solved_once(const MapView& map, const std::vector<DriveLeg>& legs) {
+SolvedLegs solved_once(const MapView& map, const std::vector<DriveLeg>& legs, const Landmarks& landmarks) {
   std::vector<TrackLeg> parts;
-  for (const DriveLeg& leg : legs) parts.push_back({leg.track, kStartSigma, leg.begins_at, leg.ends_at});
-  SolvedLegs solved = TrackingGraph(map, PoseTrackerOptions{}).solve_together(parts);
+  for (std::size_t k = 0; k < legs.size(); ++k) {
+    const DriveLeg& leg = legs[k];
+    parts.push_back({leg.track, kStartSigma, leg.begins_at, leg.ends_at});
+    if (!landmarks.faces.empty()) parts.back().landmarks = landmarks.sights[k];
+  }
+  SolvedLegs solved = TrackingGraph(map, PoseTrackerOptions{}).solve_together(parts, landmarks.faces);
   if (!solved.usable)
     throw Error(fmt::format("learning: the factor graph of {} legs has no usable solution", legs.size()));
   return solved;
 }
 
 SolvedLegs solved_together(const MapView& map, std::vector<DriveLeg>& legs) {
-  SolvedLegs solved = solved_once(map, legs);
+  SolvedLegs solved = solved_once(map, legs, {});
   for (int round = 1; round < kRounds; ++round) {
     const MapBelief belief = belief_of(map, solved);
     for (std::size_t k = 0; k < legs.size(); ++k)
@@ -64,7 +70,7 @@ SolvedLegs solved_together(const MapView& map, std::vector<DriveLeg>& legs) {
         keyframe.T_map_base = solved.T_map_base[k][i];
         keyframe.measurements = measured_from(map, belief, legs[k].views[i], keyframe.T_map_base);
       }
-    solved = solved_once(map, legs);
+    solved = solved_once(map, legs, landmarks_of(map, belief, legs, solved.T_map_base));
   }
   return solved;
 }

@@ -31,7 +31,7 @@ KeyframeView view_of(const Sample& sample) {
   for (const LaserView& laser : sample.views) {
     const ScanChains chains = chained(laser.scan, ChainOptions{});
     for (const Line& line : extract_lines(chains, LineExtractionOptions{}))
-      view.faces.push_back(transformed(laser.T_base_laser, line.segment));
+      view.faces.push_back({transformed(laser.T_base_laser, line.segment), line.covariance});
     for (std::size_t k = 0; k < laser.scan.points.size(); k += kBeamStride)
       view.beams.emplace_back(laser.T_base_laser.position(), laser.T_base_laser * laser.scan.points[k].position);
     view.returns.push_back({laser.T_base_laser.position(),

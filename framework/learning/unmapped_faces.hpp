@@ -21,9 +21,16 @@ struct LaserReturns {
   std::vector<Point> points;
 };
 
+/// A straight piece of what one scan shows, the robot on its left; frame of the robot.
+struct SeenFace {
+  Segment segment;
+  /// (offset at its midpoint, heading) [m, rad].
+  Eigen::Matrix2d covariance = Eigen::Vector2d(0.02, 0.01).cwiseAbs2().asDiagonal();
+};
+
 /// What one keyframe saw, in the frame of the robot then.
 struct KeyframeView {
-  std::vector<Segment> faces;                  ///< straight pieces, the robot on their left
+  std::vector<SeenFace> faces;
   std::vector<std::pair<Point, Point>> beams;  ///< some of the beams: from the laser to where they ended
   std::vector<LaserReturns> returns;           ///< of each laser
 };

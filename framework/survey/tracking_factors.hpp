@@ -3,6 +3,7 @@
 #include "local_map/graph_factors.hpp"
 
 #include "survey/pose_tracker.hpp"
+#include "survey/tracking_graph.hpp"
 
 namespace opal {
 
@@ -52,6 +53,40 @@ class MappedFaceFactor : public ceres::SizedCostFunction<2, 3, 1> {
   double turn_;
   Point normal_;
   double rho_;
+  Eigen::Matrix2d W_;
+};
+
+/// A straight face that is not on the map, seen from a pose. Its line is (offset along the normal, turn) from where it
+/// was thought to be.
+class LandmarkFactor : public ceres::SizedCostFunction<2, 3, 2> {
+ public:
+  LandmarkFactor(const LandmarkSight& sight, const Segment& thought)
+      : middle_(sight.seen.midpoint()),
+        turn_(sight.seen.heading_rad() - thought.heading_rad()),
+        normal_(thought.normal()),
+        anchor_(thought.midpoint()),
+        W_(whitening<2>(sight.covariance, {1e-4, 1e-4})) {}
+
+  bool Evaluate(double const* const* v, double* residuals, double** jacobians) const override {
+    const Turn base(v[0][2]), line(v[1][1]);
+    const Point from = Point(v[0][0], v[0][1]) + base.R * middle_ - anchor_;
+    const Point normal = line.R * normal_;
+    const Eigen::Vector2d e(normal.dot(from) - v[1][0], wrap_angle(turn_ + v[0][2] - v[1][1]));
+    store<2, 1>(residuals, W_ * e);
+    if (!jacobians) return true;
+    Eigen::Matrix<double, 2, 3> by_pose;
+    by_pose << normal.x(), normal.y(), normal.dot(base.dR * middle_), 0, 0, 1;
+    Eigen::Matrix2d by_line;
+    by_line << -1, (line.dR * normal_).dot(from), 0, -1;
+    store<2, 3>(jacobians[0], W_ * by_pose);
+    store<2, 2>(jacobians[1], W_ * by_line);
+    return true;
+  }
+
+ private:
+  Point middle_;
+  double turn_;
+  Point normal_, anchor_;
   Eigen::Matrix2d W_;
 };
 

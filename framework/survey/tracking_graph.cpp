@@ -44,12 +44,13 @@ SolvedTrack TrackingGraph::solve_batch(std::span<const TrackedKeyframe> poses, c
   return problem.solve(true, goes_on) ? problem.solution() : SolvedTrack{};
 }
 
-SolvedLegs TrackingGraph::solve_together(std::span<const TrackLeg> legs) const {
+SolvedLegs TrackingGraph::solve_together(std::span<const TrackLeg> legs, std::span<const Segment> landmarks) const {
   if (legs.empty()) return {};
-  std::size_t variables = 0;
+  std::size_t variables = landmarks.size();
   for (const TrackLeg& leg : legs)
     for (const TrackedKeyframe& keyframe : leg.track) variables += variables_of(keyframe);
   TrackingProblem problem(map_, options_, legs.front().track.front().T_map_base.position(), variables);
+  problem.add_landmarks(landmarks);
   std::vector<std::size_t> first;  // pose of each leg
   std::size_t poses = 0;
   for (const TrackLeg& leg : legs) {

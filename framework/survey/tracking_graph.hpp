@@ -45,12 +45,20 @@ struct LegPlace {
   std::size_t leg = 0, keyframe = 0;
 };
 
+/// A straight face that is not on the map, as one keyframe shows it.
+struct LandmarkSight {
+  std::size_t landmark = 0;
+  Segment seen;                                              ///< base_link frame, the robot on its left
+  Eigen::Matrix2d covariance = Eigen::Matrix2d::Identity();  ///< (offset at its midpoint, heading) [m, rad]
+};
+
 /// A part of a drive that was followed without a break. Its first and last keyframe may be keyframes of other legs once
 /// more: that links the legs. If its first is none, nothing but the map links it.
 struct TrackLeg {
   std::span<const TrackedKeyframe> track;                 ///< not empty
   Eigen::Vector3d start_sigma = Eigen::Vector3d::Zero();  ///< of its first pose (x, y, heading) [m, m, rad]
   std::optional<LegPlace> begins_at = std::nullopt, ends_at = std::nullopt;
+  std::span<const std::vector<LandmarkSight>> landmarks = {};  ///< of each keyframe; empty: none
 };
 
 /// Legs as solved together.
@@ -74,7 +82,8 @@ class TrackingGraph {
                           const GoesOn& goes_on = {}) const;
   /// Legs of one drive: what is on the map stands at one place, from wherever it is seen. So a pose does not follow a
   /// single face that the map has wrong: all faces along the drive say where it was. Offsets have a sigma_m.
-  SolvedLegs solve_together(std::span<const TrackLeg> legs) const;
+  /// @param landmarks  where faces that are not on the map are thought to be: they link poses, and nothing more.
+  SolvedLegs solve_together(std::span<const TrackLeg> legs, std::span<const Segment> landmarks = {}) const;
 
  private:
   const MapView& map_;

@@ -51,6 +51,14 @@ class TrackingProblem {
     problem_.AddResidualBlock(new PosePriorFactor(local, sigma.cwiseAbs2().asDiagonal()), nullptr, poses_.back());
   }
 
+  /// Lines that the sights of legs refer to by their order.
+  void add_landmarks(std::span<const Segment> landmarks) {
+    for (const Segment& at : landmarks) {
+      landmarks_.push_back({Segment{at.begin - origin_, at.end - origin_}, new_variable({0, 0, 0})});
+      problem_.AddParameterBlock(landmarks_.back().line, 2);
+    }
+  }
+
   void add_leg(const TrackLeg& leg) {
     for (std::size_t k = 0; k < leg.track.size(); ++k) {
       if (k > 0)
@@ -59,6 +67,12 @@ class TrackingProblem {
         add_loose_pose(leg.track[k]);
       if (k == 0 && !leg.begins_at) bound(leg.track[k], leg.start_sigma);
       for (const MapMeasurement& measured : leg.track[k].measurements) add_measurement(measured, {}, 0);
+      if (leg.landmarks.empty()) continue;
+      for (const LandmarkSight& sight : leg.landmarks[k]) {
+        const Landmark& landmark = landmarks_[sight.landmark];
+        problem_.AddResidualBlock(new LandmarkFactor(sight, landmark.thought), &measured_loss_, poses_.back(),
+                                  landmark.line);
+      }
     }
   }
 
@@ -128,6 +142,7 @@ class TrackingProblem {
     ceres::Problem::EvaluateOptions order;
     for (double* pose : poses_) order.parameter_blocks.push_back(pose);
     for (auto& [key, offset] : offsets_) order.parameter_blocks.push_back(offset);
+    for (const Landmark& landmark : landmarks_) order.parameter_blocks.push_back(landmark.line);
     ceres::CRSMatrix J;
     problem_.Evaluate(order, nullptr, nullptr, nullptr, &J);
     const Eigen::Map<const Eigen::SparseMatrix<double, Eigen::RowMajor>> rows(
@@ -248,6 +263,11 @@ class TrackingProblem {
   /// and the last digits are, too.
   std::vector<Variable> variables_;
   std::vector<double*> poses_;
+  struct Landmark {
+    Segment thought;
+    double* line;
+  };
+  std::vector<Landmark> landmarks_;
   std::map<std::pair<MapFeatureNumber, int>, double*> offsets_;  ///< by feature and epoch
   ceres::CauchyLoss measured_loss_, offset_loss_{1};
   ceres::Problem problem_{borrow_losses()};
