@@ -17,9 +17,11 @@ constexpr double kSeenThrough = 0.3;
 /// How often a visit is right about an object: it may have taken something before it for it, however long it looked.
 double reliability(double keyframes) { return std::min(0.98, 1 - 0.5 * std::exp(-keyframes / 3.0)); }
 
-/// Keyframes on which the verdict rests. What is gone is never recognized: it is looked for.
-double keyframes_of(const Deviation& deviation) {
-  return deviation.verdict == DeviationVerdict::probably_absent ? deviation.looks : deviation.observations;
+/// What is gone is never recognized: it is looked for. What stands before an object may be taken for it, but lets no
+/// beam through, so each look counts in full.
+double reliability_of(const Deviation& deviation) {
+  return deviation.verdict == DeviationVerdict::probably_absent ? reliability(3 * deviation.looks)
+                                                                : reliability(deviation.observations);
 }
 
 struct Visit {
@@ -32,7 +34,7 @@ struct Visit {
 VerdictLikelihood likelihood(const std::vector<Visit>& visits) {
   VerdictLikelihood likely{1, 1, 1};
   for (const Visit& visit : visits) {
-    const double right = reliability(keyframes_of(*visit.deviation));
+    const double right = reliability_of(*visit.deviation);
     double sum = 0;
     for (int k = 0; k < 3; ++k) {
       likely[k] *= static_cast<int>(visit.deviation->verdict) == k ? right : (1 - right) / 2;

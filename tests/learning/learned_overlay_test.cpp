@@ -169,7 +169,7 @@ TEST_CASE(
     return proposal ? proposal->probability : 0;
   };
   CHECK(probability_after(12) > 0.9);
-  CHECK(probability_after(1) < 0.5);
+  CHECK(probability_after(1) < 0.9);
 }
 
 TEST_CASE("evidence that does not tell how often it looked is read as before") {
@@ -212,4 +212,14 @@ TEST_CASE("a document that is no evidence is refused by name") {
                     Contains("sideways") && Contains("as mapped, moved, probably absent"));
   document["opal_evidence"] = 7;
   CHECK_THROWS_WITH(drive_evidence_from(document, "x.json"), Contains("format 7, expected 1"));
+}
+
+TEST_CASE("beams that pass through an object say more than as many that end near it") {
+  const auto map = made::room();
+  const auto alone = [&](DeviationVerdict verdict) {
+    return learned_from(*map, std::vector{made::drive("a", {made::seen("wall-0", verdict, {0, 0.3}, 4)})}).proposals;
+  };
+  const auto gone = alone(made::kGone), moved = alone(made::kMoved);
+  REQUIRE(gone.size() == 1);
+  CHECK(gone.front().probability > (moved.empty() ? 0 : moved.front().probability) + 0.1);
 }
