@@ -24,8 +24,8 @@ struct FaceViews {
   const Segment& longest() const;
 };
 
-/// Sorts what keyframes see where the map has no surface, where it is believed to be, within 0.25 m. Parts of at least
-/// 0.4 m count.
+/// Sorts what keyframes see where the map has no surface with the same visible side, where it is believed to be, within
+/// 0.25 m. Parts of at least 0.4 m count.
 /// @param views  of the keyframes; must outlive the result. @param T_map_base  of each of them.
 std::vector<FaceViews> views_of_unmapped_faces(const MapView& map, const MapBelief& belief,
                                                std::span<const KeyframeView> views, std::span<const Pose2> T_map_base);

@@ -36,9 +36,10 @@ struct KeyframeView {
 };
 
 /// Gathers the straight faces of a drive for which the map has no surface, where it is believed to be, within 0.25 m.
+/// The other side of a mapped wall is another face.
 /// @param views       of the keyframes. @param T_map_base  of each of them.
 /// @param belief      what the drive says of the mapped features.
-/// @return longer than 0.8 m and seen from 5 keyframes at least, by place.
+/// @return longer than 0.8 m and seen from 3 keyframes at least, by place.
 std::vector<UnmappedFace> unmapped_faces(const MapView& map, const MapBelief& belief,
                                          std::span<const KeyframeView> views, std::span<const Pose2> T_map_base);
 
