@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
+#include <cmath>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -18,13 +20,18 @@ constexpr std::array<std::pair<std::string_view, double>, 7> kUnits{
 
 std::optional<LengthUnit> length_unit_called(const std::string& name) {
   const auto found = std::find_if(kUnits.begin(), kUnits.end(), [&](const auto& unit) { return unit.first == name; });
-  return found == kUnits.end() ? std::nullopt : std::optional(LengthUnit{name, found->second});
+  if (found != kUnits.end()) return LengthUnit{name, found->second};
+  double metres = 0;
+  const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), metres);
+  const bool is_length =
+      error == std::errc() && end == name.data() + name.size() && std::isfinite(metres) && metres > 0;
+  return is_length ? std::optional(LengthUnit{"units of " + name + " m", metres}) : std::nullopt;
 }
 
 std::string length_unit_names() {
   std::vector<std::string_view> names;
   for (const auto& [name, metres] : kUnits) names.push_back(name);
-  return fmt::format("{}", fmt::join(names, ", "));
+  return fmt::format("{}, or its length in metres", fmt::join(names, ", "));
 }
 
 }  // namespace opal

@@ -1,5 +1,7 @@
 #include "doubts.hpp"
 
+#include "size_evidence.hpp"
+
 #include <opal/common/quantile.hpp>
 #include <opal/import_kit/first_ids.hpp>
 #include <opal/map/perceivable_faces.hpp>
@@ -46,22 +48,12 @@ std::vector<std::string> long_columns(const std::vector<PlanElement>& elements) 
   return ids;
 }
 
-/// Of the leaf if there is a swing, else of all that is drawn.
-double width_of_door_m(const PlanElement& door) {
-  Eigen::AlignedBox2d box;
-  double leaf_m = 0;
-  for (const PlanLine& line : door.lines) {
-    for (const Point& p : line.points) box.extend(p);
-    if (const auto swing = swing_of(line.points); swing && !line.closed) leaf_m = std::max(leaf_m, swing->radius_m());
-  }
-  return leaf_m > 0 ? leaf_m : box.isEmpty() ? 0 : box.sizes().maxCoeff();
-}
-
 /// Of the doors in the middle: one gate, or one line that belongs to no door, says nothing.
 double usual_door_m(const std::vector<PlanElement>& elements) {
   std::vector<double> widths_m;
+  bool has_swing = false;
   for (const PlanElement& element : elements)
-    if (element.type == "opal:Door") widths_m.push_back(width_of_door_m(element));
+    if (element.type == "opal:Door") widths_m.push_back(width_of_door_m(element, has_swing));
   if (widths_m.empty()) return 0;
   return upper_median_of(std::move(widths_m));
 }
@@ -126,20 +118,22 @@ bool shows_its_size(const std::vector<PlanElement>& elements, const PlanTally& t
 }  // namespace
 
 std::vector<std::string> doubts_about(const std::vector<PlanElement>& elements, const std::vector<DoorStroke>& strokes,
-                                      const PlanAssembly& assembly, const PlanOptions& options,
-                                      const std::string& unit_of_file) {
+                                      const PlanAssembly& assembly, const PlanOptions& options, const LengthUnit& unit,
+                                      bool is_unit_of_file) {
   std::vector<std::string> doubts;
-  if (const double width_m = usual_door_m(elements); width_m > kWidestDoor_m)
+  if (const std::string doubt = doubt_about_size(elements, assembly, options, unit); !doubt.empty())
+    doubts.push_back(doubt);
+  else if (const double width_m = usual_door_m(elements); width_m > kWidestDoor_m)
     doubts.push_back(fmt::format("doubtful: doors are {:.1f} m wide, is the unit right?", width_m));
   if (const auto thickness_m = thickness_of_giants_m(assembly, options))
     doubts.push_back(fmt::format(
         "doubtful: no wall has its other face within {} m, and most have one at {:.1f} m, is the unit right?",
         options.max_wall_thickness_m, *thickness_m));
-  if (!unit_of_file.empty() && !shows_its_size(elements, assembly.tally))
+  if (is_unit_of_file && !shows_its_size(elements, assembly.tally))
     doubts.push_back(
         fmt::format("doubtful: no door and no wall with two faces shows whether {} is the right unit; many programs "
                     "write one unasked",
-                    unit_of_file));
+                    unit.name));
   if (const auto ids = closed_doors(strokes, *assembly.map); !ids.empty())
     doubts.push_back(
         fmt::format("doubtful: doors on a wall that goes on under them, so that the wall closes them: {} ({})",

@@ -92,6 +92,7 @@ struct DxfDrawing {
   std::vector<DxfEntity> entities;
   std::vector<std::string> repeated_blocks;  ///< "CHAIR (line 184)": the first block of this name counts
   int clips = 0;                             ///< that show a part of a block; the block is here whole
+  std::vector<std::string> clipped = {};     ///< ids of the INSERTs that they belong to, and names of their blocks
   int lines_after_end = 0;
   bool lacks_end = false;  ///< the record EOF is missing, after the whole section ENTITIES
 };

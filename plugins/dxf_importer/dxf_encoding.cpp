@@ -106,9 +106,22 @@ std::string unescaped(const std::string& text) {
   return plain;
 }
 
+/// The name of the encoding of text whose characters have two bytes, by its mark or its first two characters; empty: it
+/// is another one.
+std::string utf16_of(const std::string& text) {
+  const auto is_letter = [&](std::size_t at) { return text[at] > 0 && text[at] < 127; };
+  if (text.starts_with("\xFF\xFE")) return "UTF-16LE";
+  if (text.starts_with("\xFE\xFF")) return "UTF-16BE";
+  if (text.size() < 4) return "";
+  if (is_letter(0) && text[1] == 0 && is_letter(2) && text[3] == 0) return "UTF-16LE";
+  return text[0] == 0 && is_letter(1) && text[2] == 0 && is_letter(3) ? "UTF-16BE" : "";
+}
+
 }  // namespace
 
-std::string as_utf8(const std::string& text) {
+std::string as_utf8(const std::string& given) {
+  const std::string wide = utf16_of(given);
+  const std::string text = wide.empty() ? given : CodePage(wide).to_utf8(given);
   std::string readable = text;
   if (!is_utf8(text)) {
     const CodePage code_page(code_page_of(text));

@@ -85,6 +85,14 @@ void expect_features(const std::string& path, const EntitySorting& sorting, cons
                   path, min_face_m, sorting.tally.overview()));
 }
 
+/// Clips are not applied: what they hide of a block comes in, too.
+void add_clips(const DxfDrawing& drawing, std::vector<std::string>& sentences) {
+  if (drawing.clips == 0) return;
+  sentences.push_back(
+      fmt::format("doubtful: clips that show a part of a block (XCLIP), and the block came in whole: {}{}",
+                  drawing.clips, drawing.clipped.empty() ? "" : " (" + first_of(drawing.clipped) + ")"));
+}
+
 /// What is not in the map and is no entity, and what was made of curves.
 std::vector<std::string> about_drawing(const EntitySorting& sorting, const DxfDrawing& drawing) {
   std::vector<std::string> sentences;
@@ -99,7 +107,7 @@ std::vector<std::string> about_drawing(const EntitySorting& sorting, const DxfDr
   add(sorting.open_loops, "left out: loops of hatches whose edges do not meet");
   for (const std::string& block : drawing.repeated_blocks)
     sentences.push_back("left out: a second block of the same name: " + block);
-  add(drawing.clips, "doubtful: clips that show a part of a block (XCLIP), and the block came in whole");
+  add_clips(drawing, sentences);
   if (drawing.lacks_end) sentences.push_back("doubtful: the file ends without EOF, after its entities");
   add(drawing.lines_after_end, "left out: lines of text after EOF, where the drawing ends");
   return sentences;
@@ -197,7 +205,7 @@ MapImport DxfImporter::import(const std::string& path) const {
   for (const std::string& sentence : about_drawing(sorting, drawing)) imported.report.push_back(sentence);
   for (const std::string& sentence : assembly.tally.sentences(plan_.plan)) imported.report.push_back(sentence);
   for (const std::string& doubt :
-       doubts_about(sorting.elements, door_strokes(sorting), assembly, plan_.plan, unit_ ? "" : unit.name))
+       doubts_about(sorting.elements, door_strokes(sorting), assembly, plan_.plan, unit, !unit_))
     imported.report.push_back(doubt);
   return imported;
 }

@@ -81,12 +81,24 @@ class Reader {
     drawing_.lacks_end = scan_.lacks_end;
     drawing_.entities = entities(scan_.entities);
     read_blocks();
+    name_clipped();
     return std::move(drawing_);
   }
 
  private:
   [[noreturn]] void fail(int line, const std::string& complaint) const {
     throw MapError(fmt::format("{}:{}: {}", path_, line, complaint));
+  }
+
+  /// "2A5 'PLAN-EAST'" of each INSERT that is clipped.
+  void name_clipped() {
+    std::map<std::string, std::string> block_of;
+    for (const auto* records : {&scan_.entities, &scan_.blocks})
+      for (const DxfRecord& record : *records)
+        if (record.type == "INSERT") block_of.emplace(record.text(5), record.text(2));
+    for (const std::string& handle : scan_.clipped)
+      if (const auto block = block_of.find(handle); block != block_of.end())
+        drawing_.clipped.push_back(fmt::format("{} '{}'", handle, block->second));
   }
 
   using Record = std::vector<DxfRecord>::const_iterator;

@@ -1,5 +1,6 @@
 #include "dxf_scan.hpp"
 
+#include "dxf_clips.hpp"
 #include "dxf_encoding.hpp"
 
 #include <opal/common/error.hpp>
@@ -19,8 +20,6 @@ namespace {
 
 constexpr std::uintmax_t kMaxBytes = 256u << 20;
 constexpr std::size_t kShownCharacters = 40;
-// Of a SPATIAL_FILTER, which shows a part of a block.
-constexpr int kClipIsOn = 71;
 // Zero bytes and control-Z at the end, as old programs fill a file up.
 constexpr std::string_view kPadding{"\0\x1A \t\r\n", 6};
 
@@ -37,13 +36,11 @@ std::string read_text(const std::string& path) {
   return text.str();
 }
 
-/// Text of another encoding, and drawings of another format, by their first bytes.
+/// Drawings of another format, by their first bytes.
 void check_format(const std::string& path, const std::string& text) {
   if (text.starts_with("AutoCAD Binary DXF"))
     throw MapError(path + ": is a binary DXF, expected the text format (save as ASCII DXF)");
   if (text.starts_with("AC10")) throw MapError(path + ": is a DWG drawing, expected DXF (save as DXF)");
-  if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
-    throw MapError(path + ": is UTF-16 text, expected UTF-8 or an 8-bit code page");
 }
 
 std::string trimmed(const std::string& line) {
@@ -167,12 +164,13 @@ class Scanner {
 
   /// Over a section that is no part of the plan: objects, the picture of the drawing, what later releases add.
   void skip(const std::string& name) {
-    bool is_clip = false;
+    DxfClips clips;
     for (; !is_record("ENDSEC"); advance()) {
       expect_inside(name);
-      if (pair_.code == 0) is_clip = name == "OBJECTS" && pair_.value == "SPATIAL_FILTER";
-      scan_.clips += is_clip && pair_.code == kClipIsOn && pair_.value == "1";
+      if (name == "OBJECTS") clips.take(pair_);
     }
+    scan_.clips += clips.count();
+    for (std::string& owner : clips.owners()) scan_.clipped.push_back(std::move(owner));
     advance_over_end();
   }
 

@@ -38,11 +38,12 @@ struct DxfLayer {
 struct DxfScan {
   std::optional<int> insunits;  ///< header variable $INSUNITS
   std::map<std::string, DxfLayer> layers;
-  std::vector<DxfRecord> blocks;    ///< of the section BLOCKS: BLOCK, entities, ENDBLK, ...
-  std::vector<DxfRecord> entities;  ///< of the section ENTITIES
-  int clips = 0;                    ///< by which parts of blocks are shown (XCLIP)
-  bool lacks_end = false;           ///< the record EOF is missing, and the section ENTITIES is whole
-  int lines_after_end = 0;          ///< lines after EOF, where the drawing ends: nobody reads them
+  std::vector<DxfRecord> blocks;     ///< of the section BLOCKS: BLOCK, entities, ENDBLK, ...
+  std::vector<DxfRecord> entities;   ///< of the section ENTITIES
+  int clips = 0;                     ///< by which parts of blocks are shown (XCLIP)
+  std::vector<std::string> clipped;  ///< handles of the INSERTs that these belong to, as far as they are known
+  bool lacks_end = false;            ///< the record EOF is missing, and the section ENTITIES is whole
+  int lines_after_end = 0;           ///< lines after EOF, where the drawing ends: nobody reads them
 };
 
 /// @throws MapError "PATH:LINE: what was found, what was expected".

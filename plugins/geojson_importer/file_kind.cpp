@@ -5,6 +5,7 @@
 #include <opal/common/letter_case.hpp>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <fstream>
 
@@ -54,13 +55,22 @@ bool is_overpass(const std::string& ending, const Ends& ends) {
          !ends.any_has("\"FeatureCollection\"") && !ends.has("\"features\"");
 }
 
+/// Lines or records, each a feature, as GDAL, tippecanoe and map servers write them.
+bool is_lines_of_features(const std::string& ending, const Ends& ends) {
+  constexpr std::array kEndings{".geojsonl", ".geojsons", ".geojsonseq", ".ndgeojson", ".ndjson", ".jsonl", ".json"};
+  return std::find(kEndings.begin(), kEndings.end(), ending) != kEndings.end() && ends.has("\"Feature\"") &&
+         ends.any_has("\"geometry\"");
+}
+
 }  // namespace
 
 bool looks_like_plan(const std::string& path) {
   const std::string ending = ending_of(path);
   const Ends ends = ends_of(path);
   if (ends.first.empty()) return false;
-  if (ending == ".geojson" || is_osm_xml(ending, ends) || is_overpass(ending, ends)) return true;
+  if (ending == ".geojson" || is_osm_xml(ending, ends) || is_overpass(ending, ends) ||
+      is_lines_of_features(ending, ends))
+    return true;
   return ending == ".json" &&
          (ends.any_has("\"FeatureCollection\"") || (ends.has("\"features\"") && ends.has("\"geometry\"")));
 }

@@ -26,6 +26,7 @@ std::string name_of(const std::string& path) {
 void read_unit(const nlohmann::json& options, PlacementOptions& placement) {
   if (!options.at("geographic").is_null()) placement.is_geographic = options.at("geographic").get<bool>();
   placement.unit = options.at("unit");
+  placement.y_down = options.at("y_down");
   if (placement.unit.empty()) return;
   if (!length_unit_called(placement.unit))
     throw ConfigError("opal:GeoJsonImporter: option unit: \"" + placement.unit + "\", expected one of " +

@@ -1,5 +1,7 @@
 #include "lenient_json.hpp"
 
+#include "json_lines.hpp"
+
 #include <opal/common/error.hpp>
 #include <opal/common/strict_json.hpp>
 
@@ -74,7 +76,9 @@ nlohmann::json read_lenient_json(const std::string& path, std::vector<std::strin
   try {
     return read_json(path);
   } catch (const JsonError& error) {
-    const Quoted lenient = quoted(text_of(path));
+    const std::string text = text_of(path);
+    if (auto lines = read_json_lines(text, path, notes)) return std::move(*lines);
+    const Quoted lenient = quoted(text);
     if (lenient.count == 0) throw MapError(error.what());
     try {
       nlohmann::json document = parse_json(lenient.text, path);

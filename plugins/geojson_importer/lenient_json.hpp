@@ -8,7 +8,7 @@
 namespace opal::geojson_importer {
 
 /// Reads JSON strictly, but for NaN and Infinity in the place of a number, which some programs write: these become
-/// marked texts, which take_no_number() finds.
+/// marked texts, which take_no_number() finds. Text of one value after another becomes a FeatureCollection.
 /// @param notes  gets a sentence about them.
 /// @throws MapError "PATH: where: what was found, what was expected".
 nlohmann::json read_lenient_json(const std::string& path, std::vector<std::string>& notes);

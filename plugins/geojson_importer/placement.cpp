@@ -1,5 +1,6 @@
 #include "placement.hpp"
 
+#include "coordinate_doubts.hpp"
 #include "local_projection.hpp"
 
 #include <opal/common/error.hpp>
@@ -143,7 +144,8 @@ bool is_in_degrees(const PlacementOptions& options, FeatureCollection& collectio
 
 /// About coordinates that are lengths.
 std::string sentence_about_lengths(const PlacementOptions& options, const std::string& crs) {
-  if (!options.unit.empty()) return "coordinates in " + options.unit + ", as the option unit says";
+  if (!options.unit.empty())
+    return "coordinates in " + length_unit_called(options.unit)->name + ", as the option unit says";
   const std::string metres = "coordinates in metres";
   if (crs.empty()) return metres;
   return is_metric(crs) || options.is_geographic
@@ -172,6 +174,9 @@ std::vector<std::string> place(const std::string& path, const PlacementOptions& 
     sentences.push_back(project(path, options, collection));
     return sentences;
   }
+  if (const std::string doubt = doubt_about_pixels(options, collection); !doubt.empty()) sentences.push_back(doubt);
+  if (options.y_down)
+    for (Feature& feature : collection.features) visit_positions(feature.shapes, [](Point& p) { p.y() = -p.y(); });
   const double metres_per_unit = options.unit.empty() ? 1 : length_unit_called(options.unit)->metres;
   const Bounds bounds = building_of(collection);
   Point origin_m = options.origin_m;
@@ -183,6 +188,7 @@ std::vector<std::string> place(const std::string& path, const PlacementOptions& 
   for (Feature& feature : collection.features)
     visit_positions(feature.shapes, [&](Point& p) { p = metres_per_unit * p - origin_m; });
   sentences.push_back(sentence_about_lengths(options, collection.crs));
+  if (const std::string doubt = doubt_about_doors(options, collection); !doubt.empty()) sentences.push_back(doubt);
   return sentences;
 }
 

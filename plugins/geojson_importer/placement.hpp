@@ -15,6 +15,7 @@ struct PlacementOptions {
   std::string origin_file = {};       ///< from which `origin_deg` came; empty: from none
   Point origin_m = Point::Zero();     ///< of a plan that is not in degrees
   std::string unit = {};              ///< of such a plan: one that length_unit_called() knows; empty: metres
+  bool y_down = false;                ///< of such a plan: y runs downwards, as in an image
 };
 
 /// The middle of a plan; none: it is in metres. Coordinates of web maps become degrees.

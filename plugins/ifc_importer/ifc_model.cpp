@@ -3,7 +3,7 @@
 
 #include "ifcpp/elements.hpp"
 #include "ifcpp/units.hpp"
-#include "side_information.hpp"
+#include "side_types.hpp"
 
 #include <opal/common/error.hpp>
 #include <opal/import_kit/far_origin.hpp>

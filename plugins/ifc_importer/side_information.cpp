@@ -1,5 +1,6 @@
 #include "side_information.hpp"
 
+#include "side_types.hpp"
 #include "step_arguments.hpp"
 
 #include <opal/common/error.hpp>
@@ -16,95 +17,6 @@
 namespace opal::ifc_importer {
 namespace {
 
-// Types begin with these words. IFCRELASSOCIATESMATERIAL and IFCRELDEFINESBYTYPE are not among them: they may say
-// glass.
-constexpr std::array kBeside{"IFCPROPERTY",
-                             "IFCCOMPLEXPROPERTY",
-                             "IFCSIMPLEPROPERTY",
-                             "IFCELEMENTQUANTITY",
-                             "IFCQUANTITY",
-                             "IFCPHYSICAL",
-                             "IFCRELDEFINESBYPROPERT",
-                             "IFCRELDEFINESBYTEMPLATE",
-                             "IFCRELDEFINESBYOBJECT",
-                             "IFCRELOVERRIDESPROPERT",
-                             "IFCRELSPACEBOUNDARY",
-                             "IFCCONNECTION",
-                             "IFCOWNERHISTORY",
-                             "IFCPERSON",
-                             "IFCORGANIZATION",
-                             "IFCAPPLICATION",
-                             "IFCACTOR",
-                             "IFCPOSTALADDRESS",
-                             "IFCTELECOMADDRESS",
-                             "IFCSTYLEDITEM",
-                             "IFCSTYLEDREPRESENT",
-                             "IFCPRESENTATION",
-                             "IFCSURFACESTYLE",
-                             "IFCCURVESTYLE",
-                             "IFCFILLAREASTYLE",
-                             "IFCTEXTSTYLE",
-                             "IFCTEXTURE",
-                             "IFCIMAGETEXTURE",
-                             "IFCINDEXEDCOLOUR",
-                             "IFCINDEXEDTEXTURE",
-                             "IFCINDEXEDTRIANGLETEX",
-                             "IFCCOLOUR",
-                             "IFCLIGHTSOURCE",
-                             "IFCMATERIALDEFINITIONREP",
-                             "IFCCLASSIFICATION",
-                             "IFCDOCUMENT",
-                             "IFCLIBRARY",
-                             "IFCEXTERNAL",
-                             "IFCAPPROVAL",
-                             "IFCCONSTRAINT",
-                             "IFCOBJECTIVE",
-                             "IFCMETRIC",
-                             "IFCREFERENCE",
-                             "IFCTABLE",
-                             "IFCTIMESERIES",
-                             "IFCREGULARTIMESERIES",
-                             "IFCIRREGULARTIMESERIES",
-                             "IFCRELASSIGNS",
-                             "IFCRELASSOCIATESCL",
-                             "IFCRELASSOCIATESDO",
-                             "IFCRELASSOCIATESLI",
-                             "IFCRELASSOCIATESAP",
-                             "IFCRELASSOCIATESCO",
-                             "IFCRELASSOCIATESPR",
-                             "IFCRELCONNECTS",
-                             "IFCRELCOVERS",
-                             "IFCRELINTERFERES",
-                             "IFCRELREFERENCED",
-                             "IFCRELFLOWCONTROL",
-                             "IFCRELSEQUENCE",
-                             "IFCRELSERVICES",
-                             "IFCRELDECLARES",
-                             "IFCRELOCCUPIES",
-                             "IFCGROUP",
-                             "IFCZONE",
-                             "IFCSYSTEM",
-                             "IFCBUILDINGSYSTEM",
-                             "IFCDISTRIBUTIONSYSTEM",
-                             "IFCDISTRIBUTIONCIRCUIT",
-                             "IFCDISTRIBUTIONPORT",
-                             "IFCASSET",
-                             "IFCINVENTORY",
-                             "IFCOCCUPANT",
-                             "IFCPERMIT",
-                             "IFCTASK",
-                             "IFCWORK",
-                             "IFCPROCEDURE",
-                             "IFCEVENT",
-                             "IFCCOST",
-                             "IFCPROJECTORDER",
-                             "IFCPROJECTLIBRARY",
-                             "IFCSTRUCTURAL",
-                             "IFCSPACE",
-                             "IFCANNOTATION",
-                             "IFCVIRTUALELEMENT",
-                             "IFCDERIVEDUNIT",
-                             "IFCMONETARYUNIT"};
 // Of these, what they refer to tells more of a thing, but is no part of it.
 constexpr std::array kSoft{"IFCRELASSOCIATESMATERIAL", "IFCRELDEFINESBYTYPE", "IFCTYPEOBJECT", "IFCTYPEPRODUCT"};
 // Of a GlobalId; some exporters write longer ones.
@@ -147,8 +59,8 @@ bool is_spatial(std::string_view type) {
 /// Finds what is unsound: what refers to nothing or in a circle, and what cannot do without such an instance.
 class Soundness {
  public:
-  explicit Soundness(const std::vector<StepInstance>& instances)
-      : instances_(instances), state_(instances.size()), fault_(instances.size()) {
+  Soundness(const std::vector<StepInstance>& instances, bool is_cut_off)
+      : instances_(instances), is_cut_off_(is_cut_off), state_(instances.size()), fault_(instances.size()) {
     for (std::size_t k = 0; k < instances.size(); ++k) by_number_.emplace(instances[k].number, k);
     for (std::size_t k = 0; k < instances.size(); ++k)
       if (state_[k] == State::unseen) visit_from(k);
@@ -166,6 +78,7 @@ class Soundness {
     const StepInstance& instance = instances_[from];
     if (is_soft(instance) || owner_of(instance) == number || address_of(instance) == number) return true;
     if (instance.type == "IFCRELAGGREGATES" && is_part_of_space(instance, number)) return true;
+    if (is_cut_off_ && instance.type.starts_with("IFCREL") && !stands_alone(instance, number)) return true;
     const auto found = by_number_.find(number);
     return found != by_number_.end() && is_side_information(instances_[found->second].type) &&
            !is_side_information(instance.type);
@@ -181,6 +94,13 @@ class Soundness {
     const int whole = reference_at(relation, 4);
     const auto found = by_number_.find(whole);
     return whole != number && found != by_number_.end() && is_spatial(instances_[found->second].type);
+  }
+
+  /// Not in a list.
+  static bool stands_alone(const StepInstance& instance, int number) {
+    const std::vector<std::string_view> arguments = split_arguments(instance.arguments);
+    return std::any_of(arguments.begin(), arguments.end(),
+                       [&](std::string_view argument) { return referred_by(trimmed(argument)) == number; });
   }
 
   enum class State : char { unseen, open, done };
@@ -224,6 +144,7 @@ class Soundness {
   }
 
   const std::vector<StepInstance>& instances_;
+  bool is_cut_off_;
   std::unordered_map<int, std::size_t> by_number_;
   std::vector<State> state_;
   std::vector<std::optional<Fault>> fault_;
@@ -258,21 +179,21 @@ std::string ignored_references(const ByType& by_type) {
 
 }  // namespace
 
-bool is_side_information(std::string_view type) {
-  return type.ends_with("PROPERTIES") ||
-         std::any_of(kBeside.begin(), kBeside.end(), [&](const char* word) { return type.starts_with(word); });
-}
-
-std::vector<std::string> leave_out_unsound(std::vector<StepInstance>& instances, const std::string& name) {
-  const Soundness soundness(instances);
-  ByType circles, incomplete, shortened;
+std::vector<std::string> leave_out_unsound(std::vector<StepInstance>& instances, const std::string& name,
+                                           bool is_cut_off) {
+  const Soundness soundness(instances, is_cut_off);
+  ByType circles, incomplete, cut_off, shortened;
   std::vector<StepInstance> sound;
   sound.reserve(instances.size());
   for (std::size_t k = 0; k < instances.size(); ++k) {
     StepInstance& instance = instances[k];
     if (const auto& fault = soundness.fault(k)) {
-      if (is_part_of_building(instance)) refuse(instances[fault->instance], *fault, name);
-      (fault->is_circle ? circles : incomplete)[std::string(instance.type)].push_back(instance.number);
+      const bool is_refused = fault->is_circle || !is_cut_off;
+      if (is_refused && is_part_of_building(instance)) refuse(instances[fault->instance], *fault, name);
+      (fault->is_circle ? circles
+       : is_cut_off     ? cut_off
+                        : incomplete)[std::string(instance.type)]
+          .push_back(instance.number);
       continue;
     }
     const auto goes = [&](int number) { return soundness.leads_nowhere(number) && soundness.may_go(k, number); };
@@ -283,6 +204,7 @@ std::vector<std::string> leave_out_unsound(std::vector<StepInstance>& instances,
   }
   instances = std::move(sound);
   std::vector<std::string> sentences;
+  tell(cut_off, "which need what the file does not define", sentences);
   tell(incomplete, "which need what the file does not define, and are no part of the building", sentences);
   tell(circles, "which refer to each other, and are no part of the building", sentences);
   if (!shortened.empty()) sentences.push_back(ignored_references(shortened));

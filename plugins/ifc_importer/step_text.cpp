@@ -22,8 +22,13 @@ namespace {
 
 // A parsed model takes about twenty times the memory of its text.
 constexpr std::uintmax_t kMaxBytes = 400'000'000;
+constexpr std::string_view kFirst = "ISO-10303-21";
+constexpr std::string_view kLast = "END-ISO-10303-21";
 constexpr const char* kBegin = "ISO-10303-21;";
 constexpr const char* kEnd = "END-ISO-10303-21;";
+// Before the first statement, as some programs leave it there.
+constexpr std::size_t kMostRubbish = 16;
+constexpr std::size_t kHead_bytes = 1u << 16;
 // Zero bytes and control-Z at the end, as old programs fill a file up.
 constexpr std::string_view kPadding{"\0\x1A \t\r\n", 6};
 
@@ -33,11 +38,13 @@ bool is_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 |
 /// Goes through the statements of a STEP text; texts and comments may hold semicolons.
 class Statements {
  public:
-  Statements(std::string& text, const std::string& name) : text_(text), name_(name) {}
+  /// @param is_cut_off  the text does not end as a whole one does: what has no end is what was cut.
+  Statements(std::string& text, const std::string& name, bool is_cut_off)
+      : text_(text), name_(name), is_cut_off_(is_cut_off) {}
 
-  /// The next statement without its semicolon; comments in it are blanked out.
+  /// The next statement without its semicolon; comments in it are blanked out. Empty: there is none, or it is cut off.
   std::string_view next() {
-    const std::size_t begin = at_;
+    begin_ = at_;
     for (; at_ < text_.size(); ++at_) {
       const char c = text_[at_];
       if (c == '\'')
@@ -45,11 +52,17 @@ class Statements {
       else if (c == '/' && at_ + 1 < text_.size() && text_[at_ + 1] == '*')
         blank_comment();
       else if (c == ';')
-        return trimmed(std::string_view(text_).substr(begin, at_++ - begin));
+        return trimmed(std::string_view(text_).substr(begin_, at_++ - begin_));
     }
-    if (trimmed(std::string_view(text_).substr(begin)).empty()) return {};
-    fail(begin, "a statement without an end", "';'");
+    if (!is_cut_off_ && !trimmed(std::string_view(text_).substr(begin_)).empty())
+      fail(begin_, "a statement without an end", "';'");
+    return {};
   }
+
+  bool is_at_end() const { return at_ >= text_.size(); }
+
+  /// Of the last statement, also where it is cut off.
+  int line() const { return line_of(std::min(text_.find_first_not_of(" \t\r\n", begin_), text_.size())); }
 
   /// After the last statement.
   void expect_end() const {
@@ -58,9 +71,7 @@ class Statements {
   }
 
   [[noreturn]] void fail(std::size_t at, const std::string& found, const std::string& expected) const {
-    const auto line =
-        1 + std::count(text_.begin(), text_.begin() + static_cast<std::ptrdiff_t>(std::min(at, text_.size())), '\n');
-    throw MapError(fmt::format("{}: line {}: {}, expected {}", name_, line, found, expected));
+    throw MapError(fmt::format("{}: line {}: {}, expected {}", name_, line_of(at), found, expected));
   }
   [[noreturn]] void fail(std::string_view statement, const std::string& expected) const {
     std::string found(statement.substr(0, 60));
@@ -70,15 +81,23 @@ class Statements {
   }
 
  private:
+  int line_of(std::size_t at) const {
+    const auto end = text_.begin() + static_cast<std::ptrdiff_t>(std::min(at, text_.size()));
+    return 1 + static_cast<int>(std::count(text_.begin(), end, '\n'));
+  }
   void skip_text() {
     const std::size_t begin = at_;
     for (++at_; at_ < text_.size(); ++at_)
       if (text_[at_] == '\'') return;  // a doubled one begins the next text at once
-    fail(begin, "a text without an end", "'");
+    if (!is_cut_off_) fail(begin, "a text without an end", "'");
   }
   void blank_comment() {
     const std::size_t begin = at_, end = text_.find("*/", at_ + 2);
-    if (end == std::string::npos) fail(begin, "a comment without an end", "*/");
+    if (end == std::string::npos) {
+      if (!is_cut_off_) fail(begin, "a comment without an end", "*/");
+      at_ = text_.size();
+      return;
+    }
     std::fill(text_.begin() + static_cast<std::ptrdiff_t>(begin), text_.begin() + static_cast<std::ptrdiff_t>(end + 2),
               ' ');
     at_ = end + 1;
@@ -86,7 +105,8 @@ class Statements {
 
   std::string& text_;
   const std::string& name_;
-  std::size_t at_ = 0;
+  bool is_cut_off_;
+  std::size_t at_ = 0, begin_ = 0;
 };
 
 int read_number(std::string_view text, std::size_t& at) {
@@ -162,6 +182,40 @@ void expect_known(const std::string& schema, const std::string& name) {
     throw MapError(name + ": FILE_SCHEMA: '" + schema + "', expected IFC2X, IFC2X2, IFC2X3, IFC4 or IFC4X3");
 }
 
+struct Sections {
+  std::string schema;
+  std::vector<StepInstance> instances;
+  bool ends_in_data = false;
+};
+
+Sections read_sections(Statements& statements, bool is_cut_off, const std::string& name) {
+  Sections sections;
+  bool& in_data = sections.ends_in_data;
+  for (std::string_view statement = statements.next(); statement != kLast; statement = statements.next()) {
+    if (statement.empty() && is_cut_off && statements.is_at_end()) return sections;
+    if (statement.empty()) throw MapError(name + ": has an empty statement or ends early, expected " + kEnd);
+    if (statement.starts_with("FILE_SCHEMA"))
+      sections.schema = schema_of(statement);
+    else if (statement == "DATA" || statement.starts_with("DATA("))
+      in_data = true;
+    else if (statement == "ENDSEC")
+      in_data = false;
+    else if (in_data)
+      sections.instances.push_back(read_instance(statements, statement));
+  }
+  statements.expect_end();
+  return sections;
+}
+
+/// Of a file that does not end as it should.
+std::string about_end(const Statements& statements, bool ends_in_data) {
+  if (!ends_in_data) return fmt::format("doubtful: the file ends without {}, after its data", kEnd);
+  return fmt::format(
+      "doubtful: the file is cut off in line {}: what it would define from there on is missing, also openings, so that "
+      "doors and windows may be closed",
+      statements.line());
+}
+
 }  // namespace
 
 std::string_view trimmed(std::string_view text) {
@@ -187,29 +241,22 @@ StepText StepText::parse(std::string content, const std::string& name) {
   StepText step;
   step.text_ = with_codes(std::move(content));
   step.text_.erase(step.text_.find_last_not_of(kPadding) + 1);
-  const std::string_view whole = trimmed(step.text_);
-  if (whole.find(kBegin) > 16)
+  const bool is_cut_off = !step.text_.ends_with(kEnd);
+  Statements statements(step.text_, name, is_cut_off);
+  if (const std::string_view first = statements.next();
+      !first.ends_with(kFirst) || first.size() > kFirst.size() + kMostRubbish)
     throw MapError(name + ": does not begin with " + kBegin + ", expected an IFC model (STEP)");
-  if (!whole.ends_with(kEnd))
-    throw MapError(name + ": does not end with " + kEnd + ": the file is truncated, expected a whole model");
-  Statements statements(step.text_, name);
-  bool in_data = false;
-  for (std::string_view statement = statements.next(); statement != "END-ISO-10303-21"; statement = statements.next()) {
-    if (statement.empty()) throw MapError(name + ": has an empty statement or ends early, expected " + kEnd);
-    if (statement.starts_with("FILE_SCHEMA"))
-      step.schema_ = schema_of(statement);
-    else if (statement == "DATA" || statement.starts_with("DATA("))
-      in_data = true;
-    else if (statement == "ENDSEC")
-      in_data = false;
-    else if (in_data)
-      step.instances_.push_back(read_instance(statements, statement));
-  }
-  statements.expect_end();
+  Sections sections = read_sections(statements, is_cut_off, name);
+  const bool ends_in_data = sections.ends_in_data;
+  step.schema_ = std::move(sections.schema);
+  step.instances_ = std::move(sections.instances);
   expect_known(step.schema_, name);
-  if (in_data) throw MapError(name + ": the data section has no end, expected ENDSEC");
-  if (step.instances_.empty()) throw MapError(name + ": has no instances, expected a building model");
-  step.left_out_ = leave_out_unsound(step.instances_, name);
+  if (ends_in_data && !is_cut_off) throw MapError(name + ": the data section has no end, expected ENDSEC");
+  if (step.instances_.empty())
+    throw MapError(name + ": has no instances, expected a building model" +
+                   (is_cut_off ? "; the file is cut off" : ""));
+  step.left_out_ = leave_out_unsound(step.instances_, name, ends_in_data);
+  if (is_cut_off) step.left_out_.insert(step.left_out_.begin(), about_end(statements, ends_in_data));
   check_references(step.instances_, name);
   return step;
 }
@@ -235,9 +282,15 @@ std::string StepText::for_parser() const {
 
 bool begins_like_step(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
-  std::string head(64, '\0');
+  std::string head(kHead_bytes, '\0');
   file.read(head.data(), static_cast<std::streamsize>(head.size()));
-  return head.find("ISO-10303-21") <= 16;
+  head.resize(static_cast<std::size_t>(std::max<std::streamsize>(file.gcount(), 0)));
+  std::string_view rest = trimmed(head);
+  while (rest.starts_with("/*")) {
+    const std::size_t end = rest.find("*/", 2);
+    rest = end == std::string_view::npos ? std::string_view() : trimmed(rest.substr(end + 2));
+  }
+  return rest.substr(0, kMostRubbish + kFirst.size()).find(kFirst) != std::string_view::npos;
 }
 
 }  // namespace opal::ifc_importer

@@ -45,14 +45,47 @@ bool told_of(const MapImport& imported, const std::string& words) {
 
 }  // namespace
 
-TEST_CASE("a file that ends early is refused, wherever it ends") {
+TEST_CASE("a file that ends early is refused, or told to be cut off, wherever it ends") {
   const std::string text = drawn();
   REQUIRE(refusal(text) == "accepted");
+  int accepted = 0;
   for (std::size_t length = 0; length + 2 < text.size(); length += 97) {
     CAPTURE(length);
-    CHECK(refusal(text.substr(0, length)) != "accepted");
+    const std::string part = text.substr(0, length);
+    if (refusal(part) != "accepted") continue;
+    ++accepted;
+    CHECK(told_of(import_text(part), "doubtful: the file is cut off in line "));
   }
-  CHECK_THAT(refusal(text.substr(0, text.size() / 2)), Contains("does not end with END-ISO-10303-21;"));
+  CHECK(accepted > 0);
+  CHECK_THAT(refusal(text.substr(0, text.find("\n#3="))), Contains("expected"));
+}
+
+TEST_CASE("of a file that is cut off comes in what is whole, and what is not is named") {
+  const std::string text = drawn();
+  const std::size_t column = text.find("IFCCOLUMN"), begin = text.rfind('#', column);
+  const std::string wall_only = text.substr(0, begin);
+  const MapImport imported =
+      import_text(wall_only + "#9000=IFCWALL('0123456789012345678901',$,'half',$,$,#9999,$,$);\n" +
+                  "#9001=IFCRELCONTAINEDINSPATIALSTRUCTURE('0123456789012345678902',$,$,$,(#9000),"
+                  "#9998);\n#9002=IFCPROPERTYSET('01234567890");
+  CHECK(told_of(imported, "what it would define from there on is missing"));
+  CHECK(told_of(imported, "1 IFCWALL, which need what the file does not define: #9000"));
+  CHECK(element(imported, "wall").status == ImportStatus::imported);
+}
+
+TEST_CASE("a file may begin with comments and blank lines, and end without its last line") {
+  const std::string text = drawn();
+  const MapImport whole = import_text(text);
+  for (const std::string begin : {"\n\n \t", "/* made by hand */\n", "\n/* ISO-10303-21; */ /* more */\n\n"}) {
+    CAPTURE(begin);
+    const IfcFile file(begin + text);
+    CHECK(ifc_importer({{"z_m", 1}})->recognizes(file.path()));
+    CHECK(import_text(begin + text).report == whole.report);
+  }
+  const std::string data_only = text.substr(0, text.find("END-ISO"));
+  CHECK(import_text(data_only).map->features().size() == whole.map->features().size());
+  CHECK(told_of(import_text(data_only), "doubtful: the file ends without END-ISO-10303-21;, after its data"));
+  CHECK(import_text(data_only + "END-ISO-10303-21").map->features().size() == whole.map->features().size());
 }
 
 TEST_CASE("a file that is cut and closed again is refused for what it misses") {

@@ -89,7 +89,7 @@ TEST_CASE("doors that are wider than gates make the unit doubtful") {
     for (int k = 1; k < 4; ++k) dxf.arc("A-DOOR", {4 * k * width, 1}, width, 0, 90);
     return doubted_dxf(dxf);
   };
-  CHECK(says(with_doors(22.9), "doubtful: doors are 22.9 m wide, is the unit right?"));
+  CHECK(says(with_doors(22.9), "doubtful: leaves of doors are 22.90 m wide (median of 3)"));
   CHECK_FALSE(says(with_doors(1.2), kUnit));
 }
 

@@ -182,6 +182,42 @@ TEST_CASE("clips of blocks are told, since the blocks come in whole") {
   CHECK_FALSE(says(tolerated_dxf(with_filter("0")), "XCLIP"));
 }
 
+TEST_CASE("the insert that a clip belongs to is named") {
+  DxfText dxf(6);
+  dxf.begin_block("EAST").box("A-WALL", 0, 0, 5, 0.2).end_block();
+  std::string text = dxf.insert("0", "EAST", {0, 0}).text();
+  const std::size_t insert = text.rfind("0\nINSERT\n5\n") + 11;
+  const std::string handle = text.substr(insert, text.find('\n', insert) - insert);
+  const std::string objects =
+      "0\nDICTIONARY\n5\nD1\n102\n{ACAD_REACTORS\n330\nFF\n102\n}\n330\n" + handle +
+      "\n100\nAcDbDictionary\n3\nACAD_FILTER\n360\nD2\n"
+      "0\nDICTIONARY\n5\nD2\n330\nD1\n100\nAcDbDictionary\n3\nSPATIAL\n360\nD3\n"
+      "0\nSPATIAL_FILTER\n5\nD3\n330\nD2\n100\nAcDbFilter\n100\nAcDbSpatialFilter\n70\n2\n71\n1\n";
+  text.insert(text.rfind("0\nEOF"), "0\nSECTION\n2\nOBJECTS\n" + objects + "0\nENDSEC\n");
+  CHECK(says(tolerated_dxf(text), "and the block came in whole: 1 (" + handle + " 'EAST')"));
+}
+
+TEST_CASE("drawings in UTF-16 are read, with or without the mark, whatever the order of bytes") {
+  DxfText dxf(6);
+  const std::string text = dxf.box("Wände", 0, 0, 5, 0.2).text();
+  for (const bool is_big : {false, true})
+    for (const bool has_mark : {false, true}) {
+      CAPTURE(is_big, has_mark);
+      std::string wide;
+      const auto add = [&](unsigned char high, unsigned char low) {
+        wide += static_cast<char>(is_big ? high : low);
+        wide += static_cast<char>(is_big ? low : high);
+      };
+      if (has_mark) add(0xFE, 0xFF);
+      for (std::size_t k = 0; k < text.size(); ++k) {
+        const auto letter = static_cast<unsigned char>(text[k]);
+        add(0, letter < 0x80 ? letter : 0xE4);
+        if (letter >= 0x80) ++k;
+      }
+      CHECK(says(tolerated_dxf(wide), "layer Wände as opal:Wall: 1 LWPOLYLINE"));
+    }
+}
+
 TEST_CASE("variables of the header may follow its end") {
   DxfText dxf(-1);
   dxf.box("A-WALL", 0, 0, 5, 0.2);

@@ -11,9 +11,9 @@ struct LengthUnit {
   double metres = 1;  ///< its length [m]
 };
 
-/// @param name  "m", "dm", "cm", "mm", "in", "ft", "yd". None for other names.
+/// @param name  "m", "dm", "cm", "mm", "in", "ft", "yd", or a length in metres such as "0.05". None for other names.
 std::optional<LengthUnit> length_unit_called(const std::string& name);
-/// All names, for messages: "m, dm, ...".
+/// All names, for messages: "m, dm, ..., or its length in metres".
 std::string length_unit_names();
 
 }  // namespace opal

@@ -1,0 +1,106 @@
+#include "side_types.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace opal::ifc_importer {
+namespace {
+
+// Types begin with these words. IFCRELASSOCIATESMATERIAL and IFCRELDEFINESBYTYPE are not among them: they may say
+// glass.
+constexpr std::array kBeside{"IFCPROPERTY",
+                             "IFCCOMPLEXPROPERTY",
+                             "IFCSIMPLEPROPERTY",
+                             "IFCELEMENTQUANTITY",
+                             "IFCQUANTITY",
+                             "IFCPHYSICAL",
+                             "IFCRELDEFINESBYPROPERT",
+                             "IFCRELDEFINESBYTEMPLATE",
+                             "IFCRELDEFINESBYOBJECT",
+                             "IFCRELOVERRIDESPROPERT",
+                             "IFCRELSPACEBOUNDARY",
+                             "IFCCONNECTION",
+                             "IFCOWNERHISTORY",
+                             "IFCPERSON",
+                             "IFCORGANIZATION",
+                             "IFCAPPLICATION",
+                             "IFCACTOR",
+                             "IFCPOSTALADDRESS",
+                             "IFCTELECOMADDRESS",
+                             "IFCSTYLEDITEM",
+                             "IFCSTYLEDREPRESENT",
+                             "IFCPRESENTATION",
+                             "IFCSURFACESTYLE",
+                             "IFCCURVESTYLE",
+                             "IFCFILLAREASTYLE",
+                             "IFCTEXTSTYLE",
+                             "IFCTEXTURE",
+                             "IFCIMAGETEXTURE",
+                             "IFCINDEXEDCOLOUR",
+                             "IFCINDEXEDTEXTURE",
+                             "IFCINDEXEDTRIANGLETEX",
+                             "IFCCOLOUR",
+                             "IFCLIGHTSOURCE",
+                             "IFCMATERIALDEFINITIONREP",
+                             "IFCCLASSIFICATION",
+                             "IFCDOCUMENT",
+                             "IFCLIBRARY",
+                             "IFCEXTERNAL",
+                             "IFCAPPROVAL",
+                             "IFCCONSTRAINT",
+                             "IFCOBJECTIVE",
+                             "IFCMETRIC",
+                             "IFCREFERENCE",
+                             "IFCTABLE",
+                             "IFCTIMESERIES",
+                             "IFCREGULARTIMESERIES",
+                             "IFCIRREGULARTIMESERIES",
+                             "IFCRELASSIGNS",
+                             "IFCRELASSOCIATESCL",
+                             "IFCRELASSOCIATESDO",
+                             "IFCRELASSOCIATESLI",
+                             "IFCRELASSOCIATESAP",
+                             "IFCRELASSOCIATESCO",
+                             "IFCRELASSOCIATESPR",
+                             "IFCRELCONNECTS",
+                             "IFCRELCOVERS",
+                             "IFCRELINTERFERES",
+                             "IFCRELREFERENCED",
+                             "IFCRELFLOWCONTROL",
+                             "IFCRELSEQUENCE",
+                             "IFCRELSERVICES",
+                             "IFCRELDECLARES",
+                             "IFCRELOCCUPIES",
+                             "IFCGROUP",
+                             "IFCZONE",
+                             "IFCSYSTEM",
+                             "IFCBUILDINGSYSTEM",
+                             "IFCDISTRIBUTIONSYSTEM",
+                             "IFCDISTRIBUTIONCIRCUIT",
+                             "IFCDISTRIBUTIONPORT",
+                             "IFCASSET",
+                             "IFCINVENTORY",
+                             "IFCOCCUPANT",
+                             "IFCPERMIT",
+                             "IFCTASK",
+                             "IFCWORK",
+                             "IFCPROCEDURE",
+                             "IFCEVENT",
+                             "IFCCOST",
+                             "IFCPROJECTORDER",
+                             "IFCPROJECTLIBRARY",
+                             "IFCSTRUCTURAL",
+                             "IFCSPACE",
+                             "IFCANNOTATION",
+                             "IFCVIRTUALELEMENT",
+                             "IFCDERIVEDUNIT",
+                             "IFCMONETARYUNIT"};
+
+}  // namespace
+
+bool is_side_information(std::string_view type) {
+  return type.ends_with("PROPERTIES") ||
+         std::any_of(kBeside.begin(), kBeside.end(), [&](const char* word) { return type.starts_with(word); });
+}
+
+}  // namespace opal::ifc_importer
