@@ -23,6 +23,8 @@ constexpr std::array kDoors{"*-DOOR*", "*DOORS",  "DOOR*",    "*DEUREN*", "*TUER
                             "*TÜREN*", "PORTES*", "PUERTAS*", "A-32*"};
 constexpr std::array kWindows{"*-GLAZ*",  "*WINDOW*",  "GLAZ*",     "*FENSTER*",
                               "*KOZIJN*", "*FENETRE*", "VENTANAS*", "A-31*"};
+// Codes of elements (SfB), which others use for something else: "A-320G - Permanent Solid Partitions".
+constexpr std::array kCodes{"A-21*", "A-22*", "A-28*", "A-31*", "A-32*"};
 // What is written beside walls, lies above the cut or below the floor.
 constexpr std::array kLeftOut{"*STEM-WALL*",  "*-WALL-HEAD*", "*-WALL-CNTR*", "*-WALL-IDEN*", "*-WALL-ABOV*",
                               "*-COLS-GRID*", "*-COLS-IDEN*", "*-DOOR-IDEN*", "*-GLAZ-IDEN*"};
@@ -61,6 +63,10 @@ bool is_of_other_discipline(const std::string& layer) {
   return std::find(kPartsOfBuildings.begin(), kPartsOfBuildings.end(), group) == kPartsOfBuildings.end();
 }
 
+bool is_code(const std::string& layer) {
+  return std::any_of(kCodes.begin(), kCodes.end(), [&](const char* code) { return fits_pattern(layer, code); });
+}
+
 /// Whether a layer only looks like one of walls or columns.
 bool is_no_part(const std::string& layer) {
   const std::string name = upper_case_letters(layer);
@@ -85,7 +91,8 @@ std::map<std::string, std::string> classes_of_layers() {
 std::optional<std::string> LayerClasses::class_of(const std::string& layer) const {
   if (const std::optional<std::string> type = given_.class_of(layer)) return type;
   std::optional<std::string> type = built_in_.class_of(layer);
-  if (!type) type = class_by_words(layer);
+  if (!type || is_code(layer))
+    if (const auto said = class_by_words(layer)) type = said;
   return type && is_no_part(layer) ? ClassRules::kLeaveOut : type;
 }
 

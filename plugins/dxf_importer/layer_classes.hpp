@@ -12,7 +12,7 @@ namespace opal::dxf_importer {
 std::map<std::string, std::string> classes_of_layers();
 
 /// What layers become: first as a deployment says; then symbols, axes, furniture and what is to be demolished stay out,
-/// whatever they are drawn beside; then as classes_of_layers() says.
+/// whatever they are drawn beside; then as classes_of_layers() says. Words beside a code say more than the code.
 class LayerClasses {
  public:
   /// @param given  the option `classes`.

@@ -53,13 +53,13 @@ constexpr std::string_view kDoorSigns[] = {"门", "門", "扉", "建具"};
 constexpr std::string_view kWindowSigns[] = {"窗", "窓", "幕墙", "幕牆", "玻璃", "창호", "유리", "ガラス"};
 
 constexpr std::string_view kWordsOfNoPart[] = {
-    "CENTERLINE", "CENTRELINE", "CENTERLINES", "CENTRELINES", "CNTR",    "OVERHEAD", "TEXT",     "TEXTS",
-    "TXT",        "TEXTE",      "TEXTES",      "TEXTO",       "TEXTOS",  "TESTI",    "DIM",      "DIMS",
-    "QUOTE",      "QUOTA",      "COTA",        "COTAS",       "COTE",    "COTES",    "COTATION", "BEMASSUNG",
-    "BEMAẞUNG",   "PROSPETTO",  "PROSPETTI",   "SEZIONE",     "SEZIONI", "ARREDO",   "ARREDI",   "ATTREZZATA",
-    "MOBILIER",   "MUEBLES",    "MOBILIARIO",  "MÖBEL",       "MOEBEL",  "EJE",      "EJES",     "EIXO",
-    "EIXOS",      "ASSE",       "ASSI",        "OSIE",        "OSY",     "ОСЬ",      "ОСИ",      "ОСІ",
-    "РАЗМЕРЫ",    "ТЕКСТ",      "МЕБЕЛЬ",      "МЕБЛІ",       "ДЕМОНТАЖ"};
+    "CENTERLINE", "CENTRELINE", "CENTERLINES", "CENTRELINES", "CNTR",     "OVERHEAD", "TEXT",     "TEXTS",
+    "TXT",        "TEXTE",      "TEXTES",      "TEXTO",       "TEXTOS",   "TESTI",    "DIM",      "DIMS",
+    "QUOTE",      "QUOTA",      "COTA",        "COTAS",       "COTE",     "COTES",    "COTATION", "BEMASSUNG",
+    "BEMAẞUNG",   "PROSPETTO",  "PROSPETTI",   "SEZIONE",     "SEZIONI",  "ARREDO",   "ARREDI",   "ATTREZZATA",
+    "MOBILIER",   "MUEBLES",    "MOBILIARIO",  "MÖBEL",       "MOEBEL",   "EJE",      "EJES",     "EIXO",
+    "EIXOS",      "ASSE",       "ASSI",        "OSIE",        "OSY",      "ОСЬ",      "ОСИ",      "ОСІ",
+    "РАЗМЕРЫ",    "ТЕКСТ",      "МЕБЕЛЬ",      "МЕБЛІ",       "ДЕМОНТАЖ", "VIRTUAL",  "SOCKET",   "SOCKETS"};
 // Centre lines, axes, dimensions, texts, furniture, wallpaper, tiles, what is to be demolished.
 constexpr std::string_view kSignsOfNoPart[] = {"芯",   "中心", "壁心", "柱心", "轴",   "軸",   "尺寸", "寸法",
                                                "标注", "文字", "家具", "壁纸", "壁紙", "墙纸", "墙砖", "벽지",

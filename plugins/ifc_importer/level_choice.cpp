@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <optional>
 #include <set>
 #include <utility>
@@ -98,11 +99,21 @@ std::string left_out(const Building& building, const Classes& classes, std::opti
          (counts.size() == 1 ? "them" : "these") + " in)";
 }
 
+/// "; without a body: 4 IfcWall"; empty: all have one.
+std::string bodiless_things(const Building& building) {
+  std::map<std::string, int> counts;
+  for (const Element& element : building.elements)
+    if (element.bodies.empty()) ++counts[element.source_class()];
+  std::string text;
+  for (const auto& [name, count] : counts) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, name);
+  return text.empty() ? "" : "; without a body: " + text;
+}
+
 /// "; cannot be read: 6 things, the first is IfcWall 3k...: has no point"; empty: all can.
 std::string unread_things(const Building& building) {
   const auto is_unread = [](const Element& element) { return element.bodies.empty() && !element.troubles.empty(); };
   const auto first = std::find_if(building.elements.begin(), building.elements.end(), is_unread);
-  if (first == building.elements.end()) return "";
+  if (first == building.elements.end()) return bodiless_things(building);
   return fmt::format("; cannot be read: {} things, the first is {} {}: {}",
                      std::count_if(first, building.elements.end(), is_unread), first->source_class(), first->id,
                      first->troubles.front());

@@ -37,3 +37,11 @@ TEST_CASE("a model of proxies alone is refused with what is there, and with the 
   const nlohmann::json walls{{"classes", {{"IfcBuildingElementProxy", "opal:Wall"}}}};
   CHECK(import_as_it_is(building, walls).map->objects().size() == 2);
 }
+
+TEST_CASE("a model whose things have no bodies is refused with their classes") {
+  DrawnBuilding building;
+  building.add_whole("IFCWALL", "wall", {});
+  building.add_storey("Ground", 0);
+  const IfcFile file(building.text());
+  CHECK_THROWS_WITH(ifc_importer()->import(file.path()), Catch::Contains("; without a body: 1 IfcWall"));
+}

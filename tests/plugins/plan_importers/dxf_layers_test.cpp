@@ -33,6 +33,15 @@ TEST_CASE("symbols, axes, cupboards and other disciplines are no walls and colum
   }
 }
 
+TEST_CASE("words beside a code of an element say more than the code") {
+  CHECK(says(layered_dxf("A-320G - Permanent Solid Partitions 1"), "Partitions 1 as opal:Wall"));
+  CHECK(says(layered_dxf("A-325G - Internal Doors 2"), "Internal Doors 2 as opal:Door"));
+  CHECK(says(layered_dxf("A-210G - External"), "layer A-210G - External as opal:Wall"));
+  CHECK(says(layered_dxf("A-32---E-D-N"), "layer A-32---E-D-N as opal:Door"));
+  CHECK(says(layered_dxf("I-321G - Virtual Partition 5"), "a rule for its layer says so: layer I-321G"));
+  CHECK(says(layered_dxf("Wall sockets"), "a rule for its layer says so: layer Wall sockets"));
+}
+
 TEST_CASE("words of walls stand anywhere in the names of layers, and other words may hold the letters of symbols") {
   for (const char* layer : {"Wand (neu)", "Wand_EG", "EG_WAND_NEU", "EG-Wand-tragend", "A.Wall_Internal",
                             "WALL_ETAGE_2", "DEMOUNTABLE WALLS", "E-WALL", "WAND DACHSEITE"}) {
