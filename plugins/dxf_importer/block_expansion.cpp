@@ -72,6 +72,7 @@ class Expansion {
     frame.insert += (frame.insert.empty() ? "" : "/") + around.entity->id;
     if (is_array) frame.insert += fmt::format("[{},{}]", column, row);
     frame.inserts.emplace_back(frame.insert, frame.layer);
+    frame.blocks.push_back(insert.block);
     frame.T_drawing_entity = around.T_drawing_entity * Eigen::Translation2d(insert.position) *
                              Eigen::Rotation2Dd(insert.rotation_rad) *
                              Eigen::Translation2d(column * insert.spacing.x(), row * insert.spacing.y()) *

@@ -15,6 +15,7 @@ struct PlacedEntity {
   Eigen::Affine2d T_drawing_entity = Eigen::Affine2d::Identity();  ///< may scale, also differently by axis, and mirror
   std::string insert;  ///< ids of the INSERTs that it came by, "2F/31" or "2F[0,2]" in arrays; empty: by none
   std::vector<std::pair<std::string, std::string>> inserts;  ///< these ids and their layers, from the outermost on
+  std::vector<std::string> blocks;                           ///< names of the blocks that it came by, as these
   std::string layer;                                         ///< that of its INSERT, if it is on layer 0 of a block
   std::string trouble;  ///< why it cannot be used, as far as blocks are to blame; then it may be an INSERT
   std::string damage;   ///< of the entity, of an INSERT that it came by, or of the name of their block: a whole message

@@ -104,6 +104,10 @@ std::vector<std::string> about_drawing(const EntitySorting& sorting, const DxfDr
   add(sorting.wide, "walls as thick as their polylines are drawn");
   add(sorting.oddly_wide,
       "doubtful: polylines drawn with a width that is no thickness of a wall, of which the middle was taken");
+  if (const auto& blocks = sorting.walls_of_layer_0; !blocks.empty())
+    sentences.push_back(fmt::format(
+        "doubtful: blocks on layer 0 whose lines became walls with it (--set \"classes.NAME=leave_out\"): {} ({})",
+        blocks.size(), first_of(std::vector<std::string>(blocks.begin(), blocks.end()))));
   add(sorting.open_loops, "left out: loops of hatches whose edges do not meet");
   for (const std::string& block : drawing.repeated_blocks)
     sentences.push_back("left out: a second block of the same name: " + block);

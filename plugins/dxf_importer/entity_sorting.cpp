@@ -7,6 +7,8 @@
 namespace opal::dxf_importer {
 namespace {
 
+// On which programs draw unless they are told otherwise.
+constexpr const char* kLayer0 = "0";
 // No leaf and no swing has so many.
 constexpr std::size_t kMaxDoorPoints = 64;
 // A pane is thicker.
@@ -26,6 +28,11 @@ std::string id_of(const PlacedEntity& placed) {
 }  // namespace
 
 void EntitySorting::add(const PlacedEntity& placed) {
+  if (const std::string block = block_that_is_no_wall(placed); !block.empty()) {
+    PlacedEntity renamed = placed;
+    renamed.layer = block;
+    return add(renamed);
+  }
   const std::optional<std::string> type = class_of(placed.layer);
   if (const std::string why = why_not_drawn(placed); !why.empty())
     return leave_out(placed, why, ImportStatus::left_out);
@@ -42,6 +49,20 @@ const std::optional<std::string>& EntitySorting::class_of(const std::string& lay
   const auto [known, is_new] = class_of_layer_.emplace(layer, std::nullopt);
   if (is_new) known->second = classes_.class_of(layer);
   return known->second;
+}
+
+/// Where everything is on layer 0, and a rule makes walls of it, the name of a block may say that it is a door, a
+/// window, or nothing for the map. Empty: no name says so.
+std::string EntitySorting::block_that_is_no_wall(const PlacedEntity& placed) {
+  if (placed.layer != kLayer0 || placed.blocks.empty() || !why_not_drawn(placed).empty()) return "";
+  const std::optional<std::string> type = class_of(kLayer0);
+  if (type != "opal:Wall" && type != "opal:Column") return "";
+  for (auto block = placed.blocks.rbegin(); block != placed.blocks.rend(); ++block) {
+    const std::optional<std::string>& said = class_of(*block);
+    if (said && said != "opal:Wall" && said != "opal:Column" && *block != kLayer0) return *block;
+  }
+  walls_of_layer_0.insert(placed.blocks.back());
+  return "";
 }
 
 std::string EntitySorting::why_not_drawn(const PlacedEntity& placed) const {

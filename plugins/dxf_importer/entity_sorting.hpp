@@ -10,6 +10,7 @@
 
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -31,12 +32,14 @@ class EntitySorting {
   std::vector<ImportedElement> things;
   std::vector<DoorStroke> perhaps_doors;  ///< open lines of no class, in the map's frame
   ClassTally tally{"layer"};
+  std::set<std::string> walls_of_layer_0;  ///< names of blocks whose lines became walls since they are on layer 0
   int refitted = 0, chorded = 0, open_loops = 0;
   int wide = 0;        ///< polylines that are walls as thick as they are drawn
   int oddly_wide = 0;  ///< polylines of which the middle was taken, since no wall is so thick
 
  private:
   const std::optional<std::string>& class_of(const std::string& layer);
+  std::string block_that_is_no_wall(const PlacedEntity& placed);
   std::string why_not_drawn(const PlacedEntity& placed) const;
   std::string thing_of(const PlacedEntity& placed, const std::string& type);
   void add_perhaps_a_door(const PlacedEntity& placed);

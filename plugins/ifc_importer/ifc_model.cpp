@@ -125,7 +125,8 @@ class Reading {
       model_->getUnitConverter()->setLengthInMeterFactor(unit.metres);
       return unit;
     } catch (const Unreadable& trouble) {
-      throw MapError(name_ + ": the project " + trouble.what() + ", expected a unit of length");
+      throw MapError(name_ + ": the project " + trouble.what() + ", expected a unit of length" +
+                     (step_.is_cut_off() ? "; the file is cut off, and may have had one" : ""));
     }
   }
 

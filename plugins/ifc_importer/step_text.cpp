@@ -255,6 +255,7 @@ StepText StepText::parse(std::string content, const std::string& name) {
   if (step.instances_.empty())
     throw MapError(name + ": has no instances, expected a building model" +
                    (is_cut_off ? "; the file is cut off" : ""));
+  step.is_cut_off_ = ends_in_data;
   step.left_out_ = leave_out_unsound(step.instances_, name, ends_in_data);
   if (is_cut_off) step.left_out_.insert(step.left_out_.begin(), about_end(statements, ends_in_data));
   check_references(step.instances_, name);

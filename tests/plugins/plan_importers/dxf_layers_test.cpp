@@ -42,6 +42,24 @@ TEST_CASE("words beside a code of an element say more than the code") {
   CHECK(says(layered_dxf("Wall sockets"), "a rule for its layer says so: layer Wall sockets"));
 }
 
+TEST_CASE("where all is on layer 0, names of blocks say what is no wall") {
+  DxfText dxf(6);
+  dxf.begin_block("Door 90").line("0", {0, 0}, {0, 0.9}).arc("0", {0, 0}, 0.9, 0, 90).end_block();
+  dxf.begin_block("CHAIR01").box("0", 0, 0, 0.5, 0.5).end_block();
+  dxf.box("0", 0, 0, 5, 0.2).insert("0", "Door 90", {6, 0}).insert("0", "CHAIR01", {3, 3});
+  const auto imported = [&](const json& classes) {
+    return import_text("dxf_importer", "opal:DxfImporter", "plan.dxf", dxf.text(), {{"classes", classes}});
+  };
+  const MapImport all_on_0 = imported({{"0", "Wall"}});
+  CHECK(says(all_on_0, "layer Door 90 as opal:Door: 1 ARC, 1 LINE"));
+  CHECK(says(all_on_0, "doubtful: blocks on layer 0 whose lines became walls with it"));
+  CHECK(says(all_on_0, ": 1 (CHAIR01)"));
+  const MapImport without = imported({{"0", "Wall"}, {"CHAIR*", "leave_out"}});
+  CHECK(all<Segment>(*without.map).size() == 4);
+  CHECK_FALSE(says(without, "doubtful: no layer is called"));
+  CHECK_FALSE(says(without, "doubtful: blocks on layer 0"));
+}
+
 TEST_CASE("words of walls stand anywhere in the names of layers, and other words may hold the letters of symbols") {
   for (const char* layer : {"Wand (neu)", "Wand_EG", "EG_WAND_NEU", "EG-Wand-tragend", "A.Wall_Internal",
                             "WALL_ETAGE_2", "DEMOUNTABLE WALLS", "E-WALL", "WAND DACHSEITE"}) {
