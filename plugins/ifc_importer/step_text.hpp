@@ -31,7 +31,7 @@ class StepText {
 
   const std::string& schema() const { return schema_; }  ///< "IFC2X3", "IFC4", "IFC4X3_ADD2": as the file says
   const std::vector<StepInstance>& instances() const { return instances_; }
-  bool is_cut_off() const { return is_cut_off_; }          ///< what comes after its last instance is not known
+  bool is_cut_off() const { return is_cut_off_; }  ///< what comes after its last instance is not known
   const std::vector<std::string>& left_out() const { return left_out_; }  ///< sentences about what was
 
   /// The same instances, one a line and without comments, in a schema that the parser knows: IFC4X3 as IFC4, with

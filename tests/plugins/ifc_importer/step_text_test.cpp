@@ -71,7 +71,8 @@ TEST_CASE("of a file that is cut off comes in what is whole, and what is not is 
   CHECK(told_of(imported, "what it would define from there on is missing"));
   CHECK(told_of(imported, "1 IFCWALL, which need what the file does not define: #9000"));
   CHECK(element(imported, "wall").status == ImportStatus::imported);
-  CHECK_THAT(refusal(replaced(wall_only, ".LENGTHUNIT.", ".AREAUNIT.")), Contains("; the file is cut off, and may have"));
+  CHECK_THAT(refusal(replaced(wall_only, ".LENGTHUNIT.", ".AREAUNIT.")),
+             Contains("; the file is cut off, and may have"));
 }
 
 TEST_CASE("a file may begin with comments and blank lines, and end without its last line") {

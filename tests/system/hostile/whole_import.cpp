@@ -35,6 +35,14 @@ std::vector<std::string> trimmed_lines(const std::string& text) {
   return lines;
 }
 
+/// Of text in UTF-16 the letters of ASCII.
+std::string narrow(std::string text) {
+  const bool has_mark = text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF");
+  if (has_mark) text.erase(0, 2);
+  if (has_mark || text.substr(0, 2).find('\0') != std::string::npos) std::erase(text, '\0');
+  return text;
+}
+
 bool is_geometry(const nlohmann::json& type) { return type == "LineSegment" || type == "Circle" || type == "Corner"; }
 
 int geometries(const nlohmann::json& json) {
@@ -47,7 +55,7 @@ int geometries(const nlohmann::json& json) {
 }  // namespace
 
 std::string whole_dxf(const opal::MapImport& imported, const std::string& text) {
-  const std::vector<std::string> lines = trimmed_lines(text);
+  const std::vector<std::string> lines = trimmed_lines(narrow(text));
   const auto last = std::find_if(lines.rbegin(), lines.rend(), [](const std::string& line) { return !line.empty(); });
   if (last == lines.rend() || *last != "EOF") return "the file does not end with EOF";
   std::size_t entities = 0;
