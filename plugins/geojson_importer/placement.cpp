@@ -20,6 +20,7 @@ namespace {
 
 // No building is smaller than 5 cm, and none is larger than 0.05 degrees (5 km).
 constexpr double kGeographicExtent = 0.05;
+constexpr double kSmallestPlan_m = 1;
 constexpr double kHighestLatitude_deg = 85;
 constexpr double kRadian_deg = degrees(1);
 constexpr double kWebRadius_m = 6378137;
@@ -142,6 +143,15 @@ bool is_in_degrees(const PlacementOptions& options, FeatureCollection& collectio
   return true;
 }
 
+/// @throws MapError for positions that are too far from each other for degrees, and too near for metres.
+void expect_building(const std::string& path, const Bounds& bounds) {
+  if (bounds.is_empty() || !bounds.is_on_earth() || bounds.size() >= kSmallestPlan_m) return;
+  throw MapError(fmt::format(
+      "{}: positions reach over {:.2g}: in degrees more than a building ({} degrees), in metres less than one ({} m); "
+      "expected one building, or the option unit (unit=m) or geographic to say what they are",
+      path, bounds.size(), kGeographicExtent, kSmallestPlan_m));
+}
+
 /// About coordinates that are lengths.
 std::string sentence_about_lengths(const PlacementOptions& options, const std::string& crs) {
   if (!options.unit.empty())
@@ -174,6 +184,8 @@ std::vector<std::string> place(const std::string& path, const PlacementOptions& 
     sentences.push_back(project(path, options, collection));
     return sentences;
   }
+  if (options.unit.empty() && !options.is_geographic && collection.crs.empty())
+    expect_building(path, building_of(collection));
   if (const std::string doubt = doubt_about_pixels(options, collection); !doubt.empty()) sentences.push_back(doubt);
   if (options.y_down)
     for (Feature& feature : collection.features) visit_positions(feature.shapes, [](Point& p) { p.y() = -p.y(); });

@@ -171,6 +171,17 @@ std::string ignored_references(const ByType& by_type) {
                      fmt::join(types, ", "));
 }
 
+/// Openings that no relation cuts from a wall: in a file that is cut off, these are doors that stay closed.
+std::vector<int> unused_openings(const std::vector<StepInstance>& instances) {
+  std::set<int> used;
+  for (const StepInstance& instance : instances)
+    if (instance.type == "IFCRELVOIDSELEMENT") used.insert(instance.references.begin(), instance.references.end());
+  std::vector<int> unused;
+  for (const StepInstance& instance : instances)
+    if (instance.type == "IFCOPENINGELEMENT" && !used.contains(instance.number)) unused.push_back(instance.number);
+  return unused;
+}
+
 [[noreturn]] void refuse(const StepInstance& instance, const Soundness::Fault& fault, const std::string& name) {
   const std::string begin =
       fmt::format("{}: #{} ({}) refers to #{}", name, instance.number, instance.type, fault.reference);
@@ -207,6 +218,9 @@ std::vector<std::string> leave_out_unsound(std::vector<StepInstance>& instances,
   tell(cut_off, "which need what the file does not define", sentences);
   tell(incomplete, "which need what the file does not define, and are no part of the building", sentences);
   tell(circles, "which refer to each other, and are no part of the building", sentences);
+  if (const auto unused = unused_openings(instances); is_cut_off && !unused.empty())
+    sentences.push_back(fmt::format("doubtful: openings that are cut from no wall, for the file is cut off: {}:{}",
+                                    unused.size(), numbers_of(unused)));
   if (!shortened.empty()) sentences.push_back(ignored_references(shortened));
   return sentences;
 }

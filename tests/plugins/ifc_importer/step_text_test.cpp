@@ -75,6 +75,15 @@ TEST_CASE("of a file that is cut off comes in what is whole, and what is not is 
              Contains("; the file is cut off, and may have"));
 }
 
+TEST_CASE("openings that a cut-off file cuts from no wall are counted") {
+  const std::string text = drawn();
+  const std::size_t relation = text.rfind('#', text.find("IFCRELVOIDSELEMENT"));
+  CHECK(told_of(import_text(text.substr(0, relation)),
+                "openings that are cut from no wall, for the file is cut off: 1:"));
+  CHECK_FALSE(
+      told_of(import_text(text.substr(0, text.find("ENDSEC;\nEND-ISO"))), "openings that are cut from no wall"));
+}
+
 TEST_CASE("a file may begin with comments and blank lines, and end without its last line") {
   const std::string text = drawn();
   const MapImport whole = import_text(text);

@@ -89,3 +89,10 @@ TEST_CASE("doors of a plan in metres that are no doors' width make the unit doub
   CHECK_FALSE(says(import_lines(room(33, 26, 1).dump()), "doubtful: doors"));
   CHECK_FALSE(says(import_lines(room(33, 26, 3).dump(), {{"unit", "ft"}}), "doubtful: doors"));
 }
+
+TEST_CASE("positions too far apart for degrees and too near for metres are refused as such") {
+  const std::string town = room(0.08, 0.06, 0.01).dump();
+  CHECK_THROWS_WITH(import_lines(town),
+                    Catch::Contains("in degrees more than a building (0.05 degrees), in metres less"));
+  CHECK_NOTHROW(import_lines(town, {{"unit", "m"}}));
+}
