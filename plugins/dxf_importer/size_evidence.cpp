@@ -25,6 +25,9 @@ constexpr double kWidestShare = 0.9, kNarrowestShare = 0.25;
 // Walls inside of a building are thinner.
 constexpr double kThickWalls_m = 0.4;
 constexpr double kThinnestShare = 0.1;
+// A partition of boards on studs is thicker.
+constexpr double kThinWalls_m = 0.07;
+constexpr double kThickestShare = 0.9;
 // Faces of outer walls alone are twice the perimeter of their extent; these may all be thick.
 constexpr double kInnerWalls = 2.2;
 constexpr double kWallLengthByThickness = 8;
@@ -105,6 +108,23 @@ std::string units_that_fit(double leaf_m, const LengthUnit& unit) {
   return text;
 }
 
+/// Where no leaf of a door says more.
+std::string doubt_about_walls(const WallFaces& walls, const LengthUnit& unit) {
+  const double thinnest_m = walls.thickness_m(kThinnestShare), thickest_m = walls.thickness_m(kThickestShare);
+  if (walls.has_inner && thinnest_m > kThickWalls_m)
+    return fmt::format(
+        "doubtful: walls are {:.2f} m thick, and hardly any is thinner than {:.2f} m, expected at most {} m inside of "
+        "a "
+        "building, is the unit right ({})? (--set unit=...)",
+        walls.thickness_m(0.5), thinnest_m, kThickWalls_m, unit.name);
+  if (thickest_m > 0 && thickest_m < kThinWalls_m)
+    return fmt::format(
+        "doubtful: walls are {:.2f} m thick, and hardly any is thicker than {:.2f} m, expected at least {} m for most, "
+        "is the unit right ({})? (--set unit=...)",
+        walls.thickness_m(0.5), thickest_m, kThinWalls_m, unit.name);
+  return "";
+}
+
 }  // namespace
 
 double width_of_door_m(const PlanElement& door, bool& has_swing) {
@@ -130,16 +150,11 @@ std::string doubt_about_size(const std::vector<PlanElement>& elements, const Pla
     const double leaf_m = *median_of(leaves_m);
     return fmt::format(
         "doubtful: leaves of doors are {:.2f} m wide (median of {}){}, expected {} to {} m and at most {} m for most "
-        "walls, is {} the right unit?{}",
+        "walls, is the unit right ({})?{}",
         leaf_m, leaves_m.size(), about_walls, kNarrowLeaf_m, kWideLeaf_m, kThickWalls_m, unit.name,
         units_that_fit(leaf_m, unit));
   }
-  const double thinnest_m = walls.thickness_m(kThinnestShare);
-  if (!leaves_m.empty() || !walls.has_inner || thinnest_m <= kThickWalls_m) return "";
-  return fmt::format(
-      "doubtful: walls are {:.2f} m thick, and hardly any is thinner than {:.2f} m, expected at most {} m inside of a "
-      "building, is {} the right unit? (--set unit=...)",
-      walls.thickness_m(0.5), thinnest_m, kThickWalls_m, unit.name);
+  return leaves_m.empty() ? doubt_about_walls(walls, unit) : "";
 }
 
 }  // namespace opal::dxf_importer

@@ -33,23 +33,24 @@ constexpr const char* kLeaves = "doubtful: leaves of doors are ";
 TEST_CASE("doors and walls that another unit was meant for make the unit doubtful, and the one that fits is named") {
   const MapImport plan = sized_dxf(rooms(1, 100, true));  // drawn in cm, and said to be in inches
   CHECK(says(plan, std::string(kLeaves) + "2.29 m wide (median of 8), walls 0.51 m thick, expected 0.6 to 1.3 m"));
-  CHECK(says(plan, "is in the right unit?"));
+  CHECK(says(plan, "is the unit right (in)?"));
   CHECK(says(plan, "; in cm they would be 0.90 m (--set unit=cm)"));
   CHECK(says(sized_dxf(rooms(5, 100 / 2.54, true)), std::string(kLeaves) + "0.35 m wide"));
   CHECK(says(sized_dxf(rooms(5, 100 / 2.54, true)), "; in in they would be 0.90 m (--set unit=in)"));
-  CHECK_FALSE(says(sized_dxf(rooms(5, 100, true)), "right unit"));
-  CHECK_FALSE(says(sized_dxf(rooms(1, 100, true), {{"unit", "cm"}}), "right unit"));
+  CHECK_FALSE(says(sized_dxf(rooms(5, 100, true)), "is the unit right"));
+  CHECK_FALSE(says(sized_dxf(rooms(1, 100, true), {{"unit", "cm"}}), "is the unit right"));
 }
 
-TEST_CASE("without a door, walls inside of the building that are all thick make the unit doubtful") {
+TEST_CASE("without a door, walls that are all thick inside of the building, or all thin, make the unit doubtful") {
   CHECK(says(sized_dxf(rooms(1, 100, false)), "doubtful: walls are 0.51 m thick, and hardly any is thinner than"));
-  CHECK_FALSE(says(sized_dxf(rooms(5, 100, false)), "right unit"));
+  CHECK(says(sized_dxf(rooms(4, 1000 / 3.28, false)), "doubtful: walls are 0.06 m thick, and hardly any is thicker"));
+  CHECK_FALSE(says(sized_dxf(rooms(5, 100, false)), "is the unit right"));
 }
 
 TEST_CASE("small arcs of handles, and a gate among doors, leave the unit alone") {
   DxfText dxf = rooms(6, 1, true);
   for (int k = 0; k < 4; ++k) dxf.arc("A-DOOR", {5.0 * k, 9}, 0.05, 0, 90);
-  CHECK_FALSE(says(sized_dxf(dxf.arc("A-DOOR", {9, 9}, 3, 0, 90)), "right unit"));
+  CHECK_FALSE(says(sized_dxf(dxf.arc("A-DOOR", {9, 9}, 3, 0, 90)), "is the unit right"));
 }
 
 TEST_CASE("the unit may be a length in metres") {
