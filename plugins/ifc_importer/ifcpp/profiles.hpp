@@ -7,6 +7,7 @@
 #include <ifcpp/IFC4/include/IfcArbitraryClosedProfileDef.h>
 #include <ifcpp/IFC4/include/IfcArbitraryOpenProfileDef.h>
 #include <ifcpp/IFC4/include/IfcArbitraryProfileDefWithVoids.h>
+#include <ifcpp/IFC4/include/IfcAsymmetricIShapeProfileDef.h>
 #include <ifcpp/IFC4/include/IfcCompositeProfileDef.h>
 #include <ifcpp/IFC4/include/IfcDerivedProfileDef.h>
 #include <ifcpp/IFC4/include/IfcMirroredProfileDef.h>
@@ -34,6 +35,7 @@ class Profiles {
     if (const auto closed = as<IfcArbitraryClosedProfileDef>(profile)) return of_curves(*closed);
     if (const auto derived = as<IfcDerivedProfileDef>(profile)) return of_derived(*derived, depth);
     if (const auto several = as<IfcCompositeProfileDef>(profile)) return of_several(*several, depth);
+    if (const auto section = as<IfcAsymmetricIShapeProfileDef>(profile)) return of_asymmetric_i(*section);
     if (as<IfcArbitraryOpenProfileDef>(profile))
       throw Unreadable(std::string(profile->className()) + ": open profiles are not computed");
     return of_parameters(profile);
@@ -88,6 +90,24 @@ class Profiles {
     for (const auto& part : profile.m_Profiles)
       for (auto& loop : loops(part, depth + 1)) all.push_back(std::move(loop));
     return all;
+  }
+
+  /// Without fillets and slopes, which the library does not have either. The library gives no outline of it.
+  Loops of_asymmetric_i(const IfcAsymmetricIShapeProfileDef& profile) const {
+    const double below = unit_m_ * number_of(profile.m_BottomFlangeWidth, "BottomFlangeWidth") / 2;
+    const double above = unit_m_ * number_of(profile.m_TopFlangeWidth, "TopFlangeWidth") / 2;
+    const double web = unit_m_ * number_of(profile.m_WebThickness, "WebThickness") / 2;
+    const double half = unit_m_ * number_of(profile.m_OverallDepth, "OverallDepth") / 2;
+    const double bottom_m = unit_m_ * number_of(profile.m_BottomFlangeThickness, "BottomFlangeThickness");
+    const double top_m = profile.m_TopFlangeThickness
+                             ? unit_m_ * number_of(profile.m_TopFlangeThickness, "TopFlangeThickness")
+                             : bottom_m;
+    const double low = bottom_m - half, high = half - top_m;
+    std::vector<Point> loop{{-below, -half}, {below, -half}, {below, low},   {web, low},   {web, high}, {above, high},
+                            {above, half},   {-above, half}, {-above, high}, {-web, high}, {-web, low}, {-below, low}};
+    const Transform3 T = transform_of(profile.m_Position, unit_m_);
+    for (Point& p : loop) p = (T * Point3(p.x(), p.y(), 0)).head<2>();
+    return {loop};
   }
 
   /// Rectangles, circles, rolled sections: by the library.
