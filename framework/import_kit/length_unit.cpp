@@ -34,4 +34,12 @@ std::string length_unit_names() {
   return fmt::format("{}, or its length in metres", fmt::join(names, ", "));
 }
 
+std::string length_units_that_fit(double drawn, double least_m, double most_m) {
+  std::string text;
+  for (const auto& [name, metres] : kUnits)
+    if (const double length_m = metres * drawn; length_m >= least_m && length_m <= most_m)
+      text += fmt::format("; in {0} they would be {1:.2f} m (--set unit={0})", name, length_m);
+  return text;
+}
+
 }  // namespace opal

@@ -97,25 +97,13 @@ WallFaces walls_of(const SemanticMap& map, double max_thickness_m) {
   return walls;
 }
 
-/// "; in cm doors would be 0.90 m wide (--set unit=cm)", of the units in which the leaves would be as they are.
-std::string units_that_fit(double leaf_m, const LengthUnit& unit) {
-  std::string text;
-  for (const char* name : {"m", "dm", "cm", "mm", "in", "ft", "yd"}) {
-    const double in_unit_m = leaf_m / unit.metres * length_unit_called(name)->metres;
-    if (in_unit_m >= kNarrowLeaf_m && in_unit_m <= kWideLeaf_m)
-      text += fmt::format("; in {0} they would be {1:.2f} m (--set unit={0})", name, in_unit_m);
-  }
-  return text;
-}
-
 /// Where no leaf of a door says more.
 std::string doubt_about_walls(const WallFaces& walls, const LengthUnit& unit) {
   const double thinnest_m = walls.thickness_m(kThinnestShare), thickest_m = walls.thickness_m(kThickestShare);
   if (walls.has_inner && thinnest_m > kThickWalls_m)
     return fmt::format(
         "doubtful: walls are {:.2f} m thick, and hardly any is thinner than {:.2f} m, expected at most {} m inside of "
-        "a "
-        "building, is the unit right ({})? (--set unit=...)",
+        "a building, is the unit right ({})? (--set unit=...)",
         walls.thickness_m(0.5), thinnest_m, kThickWalls_m, unit.name);
   if (thickest_m > 0 && thickest_m < kThinWalls_m)
     return fmt::format(
@@ -152,7 +140,7 @@ std::string doubt_about_size(const std::vector<PlanElement>& elements, const Pla
         "doubtful: leaves of doors are {:.2f} m wide (median of {}){}, expected {} to {} m and at most {} m for most "
         "walls, is the unit right ({})?{}",
         leaf_m, leaves_m.size(), about_walls, kNarrowLeaf_m, kWideLeaf_m, kThickWalls_m, unit.name,
-        units_that_fit(leaf_m, unit));
+        length_units_that_fit(leaf_m / unit.metres, kNarrowLeaf_m, kWideLeaf_m));
   }
   return leaves_m.empty() ? doubt_about_walls(walls, unit) : "";
 }

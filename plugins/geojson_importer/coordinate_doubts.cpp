@@ -27,17 +27,6 @@ double extent_of(const Feature& feature) {
   return box.isEmpty() ? 0 : box.diagonal().norm();
 }
 
-/// "; in ft they would be 0.91 m (--set unit=ft)".
-std::string units_that_fit(double width_m) {
-  std::string text;
-  for (const char* name : {"dm", "cm", "mm", "in", "ft", "yd"}) {
-    const double in_unit_m = width_m * length_unit_called(name)->metres;
-    if (in_unit_m >= kNarrowDoor_m && in_unit_m <= kWideDoor_m)
-      text += fmt::format("; in {0} they would be {1:.2f} m (--set unit={0})", name, in_unit_m);
-  }
-  return text;
-}
-
 }  // namespace
 
 std::string doubt_about_pixels(const PlacementOptions& options, const FeatureCollection& collection) {
@@ -57,8 +46,7 @@ std::string doubt_about_pixels(const PlacementOptions& options, const FeatureCol
     return "";
   return fmt::format(
       "doubtful: all coordinates are whole numbers from 0 on, up to {:.0f} and {:.0f}, as those of an image are: then "
-      "y "
-      "runs downwards, and the plan is mirrored; expected metres, y upwards (--set y_down=true, and unit= with the "
+      "y runs downwards, and the plan is mirrored; expected metres, y upwards (--set y_down=true, and unit= with the "
       "length of a pixel in metres)",
       box.max().x(), box.max().y());
 }
@@ -74,7 +62,7 @@ std::string doubt_about_doors(const PlacementOptions& options, const FeatureColl
   if (width_m >= kTooNarrow_m && width_m <= kTooWide_m) return "";
   return fmt::format(
       "doubtful: doors are {:.2f} m wide (median of {}), expected {} to {} m, are coordinates in metres?{}", width_m,
-      widths_m.size(), kNarrowDoor_m, kWideDoor_m, units_that_fit(width_m));
+      widths_m.size(), kNarrowDoor_m, kWideDoor_m, length_units_that_fit(width_m, kNarrowDoor_m, kWideDoor_m));
 }
 
 }  // namespace opal::geojson_importer

@@ -73,8 +73,7 @@ std::optional<json> read_json_lines(const std::string& given, const std::string&
                               features.size()));
   if (!damaged.empty())
     notes.push_back(
-        fmt::format("doubtful: lines that are no JSON, so that what they hold is missing: {}, the first is "
-                    "line {}",
+        fmt::format("doubtful: lines that are no JSON, so that what they hold is missing: {}, the first is line {}",
                     damaged.size(), damaged.front()));
   return json{{"type", "FeatureCollection"}, {"features", std::move(features)}};
 }

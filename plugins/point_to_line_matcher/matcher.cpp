@@ -3,6 +3,8 @@
 #include "pose_search.hpp"
 
 #include <algorithm>
+#include <array>
+#include <numbers>
 #include <vector>
 
 namespace opal::point_to_line {
@@ -55,6 +57,40 @@ std::vector<Point> evenly(const std::vector<Point>& points, int count) {
   return chosen;
 }
 
+double bearing_of(const Point& p) { return std::atan2(p.y(), p.x()); }
+
+/// In which directions from a pose something is known.
+class KnownBearings {
+ public:
+  KnownBearings(std::span<const Point> known, const Pose2& T_reference_eye) {
+    constexpr std::size_t kEvery = 4;  // neighbours are a few centimetres apart
+    const Pose2 T_eye_reference = T_reference_eye.inverse();
+    for (std::size_t k = 0; k < known.size(); k += kEvery) {
+      const int bin = bin_of(bearing_of(T_eye_reference * known[k]));
+      for (int beside = -1; beside <= 1; ++beside) known_[wrapped(bin + beside)] = true;
+    }
+  }
+  bool holds(double bearing) const { return known_[wrapped(bin_of(bearing))]; }
+
+ private:
+  static constexpr int kBins = 180;
+  static int bin_of(double bearing) { return static_cast<int>(std::floor(bearing * kBins / (2 * std::numbers::pi))); }
+  static std::size_t wrapped(int bin) { return static_cast<std::size_t>((bin % kBins + kBins) % kBins); }
+  std::array<bool, kBins> known_ = {};
+};
+
+/// Points in directions in which the reference has any, also if the guess is turned by a standard deviation. What comes
+/// into view for the first time has nothing to be matched with: it would speak for turning less.
+std::vector<Point> seen_before(const std::vector<Point>& scan, std::span<const Point> reference, const Prior& prior) {
+  const KnownBearings known(reference, prior.T_reference_scan);
+  std::vector<Point> before;
+  for (const Point& point : scan) {
+    const double bearing = bearing_of(point);
+    if (known.holds(bearing - prior.sigma.z()) && known.holds(bearing + prior.sigma.z())) before.push_back(point);
+  }
+  return before;
+}
+
 bool is_far_from(const Prior& prior, const Pose2& pose, double sigmas) {
   const Point away = (pose.position() - prior.T_reference_scan.position()).cwiseQuotient(prior.sigma.head<2>());
   const double turned = angle_between_rad(pose, prior.T_reference_scan) / prior.sigma.z();
@@ -69,9 +105,9 @@ ScanMatch PointToLineMatcher::match(std::span<const Point> reference, std::span<
   ScanMatch nothing;
   nothing.T_reference_scan = guess;
   nothing.covariance = prior.sigma.cwiseAbs2().asDiagonal();
-  const std::vector<Point> seen = finite(scan);
-  const std::vector<Point> dense = without_grazed(seen);
   const std::vector<Point> known = finite(reference);
+  const std::vector<Point> seen = seen_before(finite(scan), known, prior);
+  const std::vector<Point> dense = without_grazed(seen);
   if (dense.size() < kFewestPoints || known.size() < kFewestPoints || !prior.sigma.allFinite()) return nothing;
 
   const ReferenceGrid grid(known);
