@@ -96,16 +96,17 @@ void ReferenceGrid::gather(std::span<const Point> reference) {
     ++surfel.points;
   }
   for (Surfel& surfel : surfels_) surfel.mean /= surfel.points;
-  for (Surfel& surfel : surfels_) surfel.normal = normal_of(surfel);
+  for (Surfel& surfel : surfels_) set_normal(surfel);
 }
 
 /// Cells about it tell the direction of a wall best. Near corners and on small things it is that of its own points.
-Point ReferenceGrid::normal_of(const Surfel& surfel) const {
-  if (const Point across = normal_of_neighbours(surfel); !across.isZero()) return across;
-  return surfel.normal.norm() > kAgreement * surfel.points ? surfel.normal.normalized() : Point::Zero();
+void ReferenceGrid::set_normal(Surfel& surfel) const {
+  if (take_normal_of_neighbours(surfel)) return;
+  const bool agree = surfel.normal.norm() > kAgreement * surfel.points;
+  surfel.normal = agree ? surfel.normal.normalized() : Point::Zero();
 }
 
-Point ReferenceGrid::normal_of_neighbours(const Surfel& surfel) const {
+bool ReferenceGrid::take_normal_of_neighbours(Surfel& surfel) const {
   const int column = column_of(surfel.mean.x()), row = row_of(surfel.mean.y());
   double points = 0;
   Point sum = Point::Zero();
@@ -122,7 +123,11 @@ Point ReferenceGrid::normal_of_neighbours(const Surfel& surfel) const {
     }
   const Eigen::Matrix2d scatter = squares / points - sum * sum.transpose() / (points * points);
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(scatter);
-  return axes.eigenvalues()[1] > kElongated * axes.eigenvalues()[0] ? Point(axes.eigenvectors().col(0)) : Point::Zero();
+  const double across = std::max(0.0, axes.eigenvalues()[0]), along = axes.eigenvalues()[1];
+  if (along <= kElongated * across) return false;
+  surfel.normal = axes.eigenvectors().col(0);
+  surfel.normal_variance = across / (points * along);
+  return true;
 }
 
 void ReferenceGrid::spread(std::uint32_t index) {

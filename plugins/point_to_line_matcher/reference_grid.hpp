@@ -13,6 +13,7 @@ namespace opal::point_to_line {
 struct Surfel {
   Point mean = Point::Zero();
   Point normal = Point::Zero();
+  double normal_variance = 0;  ///< of its heading, where the cells about it tell it [rad^2]
   bool dense = false;  ///< some of its points have a near neighbour; if not, they say little about where a surface is
   int points = 0;
 };
@@ -57,9 +58,9 @@ class ReferenceGrid {
   void lay_out(std::span<const Point> reference);
   void gather(std::span<const Point> reference);
   /// @param surfel  whose normal is still the sum over its points.
-  Point normal_of(const Surfel& surfel) const;
-  /// The direction across the surfels about this one, if they lie along a line; zero if they do not.
-  Point normal_of_neighbours(const Surfel& surfel) const;
+  void set_normal(Surfel& surfel) const;
+  /// Takes the direction across the surfels about this one. @return false if they do not lie along a line.
+  bool take_normal_of_neighbours(Surfel& surfel) const;
   void spread(std::uint32_t surfel);
   template <int kSums>
   Sums sum_likelihood_field(std::span<const Cell> cells, int rows, int step, int count) const;

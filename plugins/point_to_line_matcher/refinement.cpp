@@ -1,21 +1,24 @@
 #include "refinement.hpp"
 
 #include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
 namespace opal::point_to_line {
 namespace {
 
-constexpr double kFirstScale = 4;      ///< the robust scale starts this much wider
-constexpr double kScaleShrinks = 0.7;  ///< per iteration
-constexpr double kPointToPoint = 0.1;  ///< weight where the outline has no direction: its points hit elsewhere
-constexpr double kSharedErrors = 3;    ///< variance of matches on six recorded logs over that of free points
-constexpr double kSmallStep = 1e-4;    ///< [m], [rad]
+constexpr double kFirstScale = 4;        ///< the robust scale starts this much wider
+constexpr double kScaleShrinks = 0.7;    ///< per iteration
+constexpr double kPointToPoint = 0.1;    ///< weight where the outline has no direction: its points hit elsewhere
+constexpr double kSharedErrors = 3;      ///< variance of matches on six recorded logs over that of free points
+constexpr double kSmallStep = 1e-4;      ///< [m], [rad]
+constexpr double kMoreThanSpurious = 20;  ///< so many times what wrong normals feign, or the points say nothing there
 
 /// Normal equations of one iteration.
 struct Equations {
   Eigen::Matrix3d H = Eigen::Matrix3d::Zero();
   Eigen::Vector3d g = Eigen::Vector3d::Zero();
+  Eigen::Matrix2d spurious = Eigen::Matrix2d::Zero();  ///< information about the position that wrong normals feign
 
   void add(const Eigen::Vector3d& jacobian, double residual, double weight) {
     H.noalias() += weight * jacobian * jacobian.transpose();
@@ -66,6 +69,18 @@ class Refinement {
     return (known + (e.H - known) / kSharedErrors).inverse();
   }
 
+  /// A search finds any position along a corridor as good, and wrong normals would hold it where it was found: there,
+  /// the guess is the better start (Zhang, Kaess and Singh 2016).
+  Pose2 start_from(const Pose2& found, double scale_m) const {
+    const Equations e = equations_at(found, scale_m);
+    const Eigen::Matrix2d known = prior_information().head<2>().asDiagonal();
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(e.H.topLeftCorner<2, 2>() - known);
+    const Point weakest = axes.eigenvectors().col(0);
+    if (axes.eigenvalues()[0] > kMoreThanSpurious * weakest.dot(e.spurious * weakest)) return found;
+    const Point off = found.position() - prior_.T_reference_scan.position();
+    return {Point(found.position() - weakest.dot(off) * weakest), found.heading_rad()};
+  }
+
  private:
   Eigen::Vector3d prior_information() const { return prior_.sigma.cwiseAbs2().cwiseInverse(); }
   double point_information() const { return 1.0 / (options_.point_sigma_m * options_.point_sigma_m); }
@@ -94,6 +109,8 @@ class Refinement {
     if (r.on_line()) {
       const Point& n = r.surfel->normal;
       e.add({n.x(), n.y(), n.dot(lever)}, r.value, weight);
+      const Point along = left_of(n);
+      e.spurious.noalias() += weight * r.surfel->normal_variance * along * along.transpose();
     } else if (r.surfel->dense) {
       e.add({1, 0, lever.x()}, r.away.x(), kPointToPoint * weight);
       e.add({0, 1, lever.y()}, r.away.y(), kPointToPoint * weight);
@@ -120,8 +137,8 @@ Refined refine(const ReferenceGrid& grid, std::span<const Point> scan, const Pos
                const RefinementOptions& options) {
   const Refinement refinement(grid, scan, prior, options);
   Refined result;
-  Pose2 pose = start;
   double scale_m = kFirstScale * options.robust_scale_m;
+  Pose2 pose = refinement.start_from(start, scale_m);
   for (int i = 0; i < options.iterations; ++i) {
     const Equations e = refinement.equations_at(pose, scale_m);
     const Eigen::Vector3d step = e.H.ldlt().solve(-e.g);
