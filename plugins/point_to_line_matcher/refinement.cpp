@@ -7,11 +7,11 @@
 namespace opal::point_to_line {
 namespace {
 
-constexpr double kFirstScale = 4;        ///< the robust scale starts this much wider
-constexpr double kScaleShrinks = 0.7;    ///< per iteration
-constexpr double kPointToPoint = 0.1;    ///< weight where the outline has no direction: its points hit elsewhere
-constexpr double kSharedErrors = 3;      ///< variance of matches on six recorded logs over that of free points
-constexpr double kSmallStep = 1e-4;      ///< [m], [rad]
+constexpr double kFirstScale = 4;         ///< the robust scale starts this much wider
+constexpr double kScaleShrinks = 0.7;     ///< per iteration
+constexpr double kPointToPoint = 0.1;     ///< weight where the outline has no direction: its points hit elsewhere
+constexpr double kSharedErrors = 3;       ///< variance of matches on six recorded logs over that of free points
+constexpr double kSmallStep = 1e-4;       ///< [m], [rad]
 constexpr double kMoreThanSpurious = 20;  ///< so many times what wrong normals feign, or the points say nothing there
 
 /// Normal equations of one iteration.

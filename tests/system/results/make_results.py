@@ -3,7 +3,7 @@
 
 Runs `opal bench` on the recorded sites, judges what it wrote, and fills the marked tables. Without names, all tables are made.
 A name is a table (full, stages, calibration, damage, sites, seeds, ten-maps, kidnapping, cuts, large, large-cpu, drives, drives-models,
-faults, integrity, mutants, fuzzing, redrawn, sketched, furnished, learning, campus, storeys) or a kind of map (full, plan, thick, drop, shift, wall, false, mixed, union, copies): then
+faults, integrity, mutants, fuzzing, redrawn, sketched, furnished, lasers, learning, campus, storeys) or a kind of map (full, plan, thick, drop, shift, wall, false, mixed, union, copies): then
 only the rows of that kind are made.
 """
 
@@ -20,6 +20,7 @@ import campus
 import drives
 import furnished
 import judge
+import lasers
 import learning
 import redrawn
 import sketched
@@ -41,7 +42,7 @@ JOINED = {"union": ("union of all sites", []), "copies": ("union and ten copies"
 SITES = ["acapulco", "csail", "freiburg-079", "seattle", "malaga-demo", "malaga", "belgioioso"]
 STAGES = ("detect", "local_map", "track", "generate", "search", "retrospect", "grow")
 SEEDED = ("drop", "mixed")  # which walls are damaged matters most there
-DRIVEN = ("drives", "drives-models", "faults", "integrity", "mutants", "fuzzing", "redrawn", "sketched", "furnished", "learning", "learning-walls", "campus", "storeys")  # make their runs themselves
+DRIVEN = ("drives", "drives-models", "faults", "integrity", "mutants", "fuzzing", "redrawn", "sketched", "furnished", "lasers", "learning", "learning-walls", "campus", "storeys")  # make their runs themselves
 BY_SEED = ("seeds", "ten-maps", "cuts")  # tables
 MAP_SEEDS, CUT_SEEDS = range(1, 21), range(1, 5)
 KIDNAPPING_OPTION, KIDNAPPING_FILE = "--kidnap", "kidnappings.csv"
@@ -344,6 +345,7 @@ def make_tables(bench, driven, selection, seeds, page):
         "redrawn": lambda: redrawn.redrawn_table(bench, judged_cells),
         "sketched": lambda: sketched.sketched_table(bench, judged_cells),
         "furnished": lambda: furnished.furnished_table(bench, judged_cells),
+        "lasers": lambda: lasers.laser_table(bench, judged_cells),
         "learning": lambda: learned()[0], "learning-walls": lambda: learned()[1],
         "campus": lambda: campus.campus_table(bench, judged_cells),
     }
