@@ -106,7 +106,7 @@ ScanMatch PointToLineMatcher::match(std::span<const Point> reference, std::span<
   nothing.T_reference_scan = guess;
   nothing.covariance = prior.sigma.cwiseAbs2().asDiagonal();
   const std::vector<Point> known = finite(reference);
-  const std::vector<Point> seen = seen_before(finite(scan), known, prior);
+  const std::vector<Point> all = finite(scan), seen = seen_before(all, known, prior);
   const std::vector<Point> dense = without_grazed(seen);
   if (dense.size() < kFewestPoints || known.size() < kFewestPoints || !prior.sigma.allFinite()) return nothing;
 
@@ -120,6 +120,8 @@ ScanMatch PointToLineMatcher::match(std::span<const Point> reference, std::span<
     if (other.cost < best.cost) best = other;
   }
   if (!best.match.converged) return nothing;
+  best.match.inlier_share =
+      inlier_share(grid, evenly(all, options_.max_points), best.match.T_reference_scan, options_.refinement);
   best.match.converged = best.match.inlier_share >= options_.min_inlier_share &&
                          !is_far_from(prior, best.match.T_reference_scan, options_.search_sigmas + kMostDoubt);
   return best.match;

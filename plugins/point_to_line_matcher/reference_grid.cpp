@@ -26,6 +26,7 @@ constexpr double kAgreement = 0.9;  ///< mean length of a cell's normals below w
 // About a right angle it is four times.
 constexpr int kNeighbours = 2;
 constexpr double kElongated = 8;
+constexpr double kEnds = 0.7;  ///< cells from a surfel to the middle of those about it, from which on a wall ends there
 
 /// The first point at least an arm's length from points[i], going by `step`; null: the scan ends or jumps before.
 const Point* arm(std::span<const Point> points, std::size_t i, int step) {
@@ -127,6 +128,9 @@ bool ReferenceGrid::take_normal_of_neighbours(Surfel& surfel) const {
   if (along <= kElongated * across) return false;
   surfel.normal = axes.eigenvectors().col(0);
   surfel.normal_variance = across / (points * along);
+  const Point direction = axes.eigenvectors().col(1);
+  const double middle_m = direction.dot(sum) / points;
+  if (std::abs(middle_m) > kEnds * cell_m_) surfel.end = middle_m > 0 ? Point(-direction) : direction;
   return true;
 }
 

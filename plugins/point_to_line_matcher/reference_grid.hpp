@@ -14,6 +14,7 @@ struct Surfel {
   Point mean = Point::Zero();
   Point normal = Point::Zero();
   double normal_variance = 0;  ///< of its heading, where the cells about it tell it [rad^2]
+  Point end = Point::Zero();   ///< along the outline, to where it ends in view; zero if it goes on to both sides
   bool dense = false;  ///< some of its points have a near neighbour; if not, they say little about where a surface is
   int points = 0;
 };
@@ -59,7 +60,8 @@ class ReferenceGrid {
   void gather(std::span<const Point> reference);
   /// @param surfel  whose normal is still the sum over its points.
   void set_normal(Surfel& surfel) const;
-  /// Takes the direction across the surfels about this one. @return false if they do not lie along a line.
+  /// Takes the direction across the surfels about this one, and to where they end. @return false if they do not lie
+  /// along a line.
   bool take_normal_of_neighbours(Surfel& surfel) const;
   void spread(std::uint32_t surfel);
   template <int kSums>

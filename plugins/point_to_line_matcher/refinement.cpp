@@ -4,6 +4,8 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
+#include <algorithm>
+
 namespace opal::point_to_line {
 namespace {
 
@@ -26,12 +28,6 @@ struct Equations {
   }
 };
 
-/// How well a pose fits.
-struct Fit {
-  double cost = 0;  ///< robust, with the prior [nat]
-  int inliers = 0;
-};
-
 /// A point beside the surfel that is nearest to it.
 struct Residual {
   const Surfel* surfel;  ///< null: nothing is in reach
@@ -40,7 +36,18 @@ struct Residual {
   double value = 0;      ///< distance from its line; from its mean if it has no direction
 
   bool on_line() const { return !surfel->normal.isZero(); }
+  bool is_beyond_end(double cell_m) const { return surfel->end.dot(away) > 0.5 * cell_m; }
 };
+
+Residual residual_of(const ReferenceGrid& grid, const Pose2& pose, const Point& p) {
+  Residual residual{nullptr, pose.rotate(p), Point::Zero()};
+  const Point moved = pose.position() + residual.turned;
+  residual.surfel = grid.nearest(moved);
+  if (!residual.surfel) return residual;
+  residual.away = moved - residual.surfel->mean;
+  residual.value = residual.on_line() ? residual.surfel->normal.dot(residual.away) : residual.away.norm();
+  return residual;
+}
 
 class Refinement {
  public:
@@ -52,15 +59,16 @@ class Refinement {
     Equations e;
     e.H.diagonal() += prior_information();
     e.g += prior_information().cwiseProduct(prior_residual(pose));
-    for (const Point& p : scan_) add_point(e, residual_of(pose, p), scale_m * scale_m);
+    for (const Point& p : scan_) add_point(e, residual_of(grid_, pose, p), scale_m * scale_m);
     return e;
   }
 
-  Fit fit_at(const Pose2& pose, double scale_m) const {
+  /// Robust, with the prior [nat].
+  double cost_at(const Pose2& pose, double scale_m) const {
     const Eigen::Vector3d off = prior_residual(pose);
-    Fit fit{0.5 * off.dot(prior_information().cwiseProduct(off)), 0};
-    for (const Point& p : scan_) add_fit(fit, residual_of(pose, p), scale_m * scale_m);
-    return fit;
+    double cost = 0.5 * off.dot(prior_information().cwiseProduct(off));
+    for (const Point& p : scan_) cost += cost_of(residual_of(grid_, pose, p), scale_m * scale_m);
+    return cost;
   }
 
   /// Covariance at the solution: prior and points, the latter with the errors they share.
@@ -91,16 +99,6 @@ class Refinement {
     return {away.x(), away.y(), turned};
   }
 
-  Residual residual_of(const Pose2& pose, const Point& p) const {
-    Residual residual{nullptr, pose.rotate(p), Point::Zero()};
-    const Point moved = pose.position() + residual.turned;
-    residual.surfel = grid_.nearest(moved);
-    if (!residual.surfel) return residual;
-    residual.away = moved - residual.surfel->mean;
-    residual.value = residual.on_line() ? residual.surfel->normal.dot(residual.away) : residual.away.norm();
-    return residual;
-  }
-
   /// Cauchy: weight = 1 / (1 + (r / s)^2), in units of the point's variance.
   void add_point(Equations& e, const Residual& r, double scale_squared) const {
     if (!r.surfel) return;
@@ -118,11 +116,10 @@ class Refinement {
   }
 
   /// Cauchy: cost = s^2 / 2 log(1 + (r / s)^2). A point far from everything costs as much as one at the edge of reach.
-  void add_fit(Fit& fit, const Residual& r, double scale_squared) const {
+  double cost_of(const Residual& r, double scale_squared) const {
     constexpr double kReachSquared = ReferenceGrid::kReach_m * ReferenceGrid::kReach_m;
     const double squared = (r.surfel ? r.value * r.value : kReachSquared) / scale_squared;
-    fit.cost += 0.5 * point_information() * scale_squared * std::log1p(squared);
-    fit.inliers += r.surfel && std::abs(r.value) < options_.inlier_distance_m;
+    return 0.5 * point_information() * scale_squared * std::log1p(squared);
   }
 
   const ReferenceGrid& grid_;
@@ -147,13 +144,20 @@ Refined refine(const ReferenceGrid& grid, std::span<const Point> scan, const Pos
     if (widest_passed && step.cwiseAbs().maxCoeff() < kSmallStep) break;
     scale_m = std::max(options.robust_scale_m, kScaleShrinks * scale_m);
   }
-  const Fit fit = refinement.fit_at(pose, options.robust_scale_m);
   result.match.T_reference_scan = pose;
   result.match.covariance = refinement.covariance(refinement.equations_at(pose, options.robust_scale_m));
-  result.match.inlier_share = static_cast<double>(fit.inliers) / static_cast<double>(scan.size());
   result.match.converged = pose.position().allFinite() && std::isfinite(pose.heading_rad());
-  result.cost = fit.cost;
+  result.cost = refinement.cost_at(pose, options.robust_scale_m);
   return result;
+}
+
+double inlier_share(const ReferenceGrid& grid, std::span<const Point> scan, const Pose2& T_reference_scan,
+                    const RefinementOptions& options) {
+  const auto is_inlier = [&](const Point& p) {
+    const Residual r = residual_of(grid, T_reference_scan, p);
+    return r.surfel != nullptr && std::abs(r.value) < options.inlier_distance_m && !r.is_beyond_end(grid.cell_m());
+  };
+  return static_cast<double>(std::count_if(scan.begin(), scan.end(), is_inlier)) / static_cast<double>(scan.size());
 }
 
 }  // namespace opal::point_to_line

@@ -23,7 +23,7 @@ struct Prior {
 
 /// Pose after refinement, with what is needed to compare and judge it.
 struct Refined {
-  ScanMatch match;  ///< converged: the steps became small
+  ScanMatch match;  ///< converged: the steps became small; its share of inliers is not set
   double cost = 0;  ///< robust cost with prior [nat]; lower is better
 };
 
@@ -31,5 +31,9 @@ struct Refined {
 /// measurement: where the points do not tell (along a corridor), the guess stays.
 Refined refine(const ReferenceGrid& grid, std::span<const Point> scan, const Pose2& start, const Prior& prior,
                const RefinementOptions& options);
+
+/// Share of the points that lie on the reference from this pose.
+double inlier_share(const ReferenceGrid& grid, std::span<const Point> scan, const Pose2& T_reference_scan,
+                    const RefinementOptions& options);
 
 }  // namespace opal::point_to_line
