@@ -85,6 +85,25 @@ inline void evaluate_seen_point(double heading_rad, const Point& apart, const Po
   store<2, 2>(jacobians[1], W * base.R.transpose());
 }
 
+/// A straight face seen from a pose, beside its line (offset along the normal, heading): e, and its derivatives by the
+/// pose and by the line.
+/// @param e                  offset and heading that are left [m, rad].
+/// @param from               from where offsets count to the middle of what is seen, and how the pose's heading moves
+/// it.
+/// @param normal             of the line, and how the line's heading turns it.
+inline void evaluate_seen_line(const Eigen::Vector2d& e, const Point& from, const Point& from_by_heading,
+                               const Point& normal, const Point& normal_by_heading, const Eigen::Matrix2d& W,
+                               double* residuals, double** jacobians) {
+  store<2, 1>(residuals, W * e);
+  if (!jacobians) return;
+  Eigen::Matrix<double, 2, 3> by_pose;
+  by_pose << normal.x(), normal.y(), normal.dot(from_by_heading), 0, 0, 1;
+  Eigen::Matrix2d by_line;
+  by_line << -1, normal_by_heading.dot(from), 0, -1;
+  store<2, 3>(jacobians[0], W * by_pose);
+  store<2, 2>(jacobians[1], W * by_line);
+}
+
 /// Covariance of a * b, first order.
 inline Eigen::Matrix3d chained(const RelativePose& a, const RelativePose& b) {
   const Point lever = a.T_from_to.rotate(b.T_from_to.position());

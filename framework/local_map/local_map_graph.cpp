@@ -31,14 +31,7 @@ class LineFactor : public ceres::SizedCostFunction<2, 3, 2> {
     const Point normal = unit_vector(v[1][1]);
     const Point middle = Point(v[0][0], v[0][1]) + base.R * middle_;
     const Eigen::Vector2d e(normal.dot(middle) - v[1][0], wrap_angle(normal_heading_ + v[0][2] - v[1][1]));
-    store<2, 1>(residuals, W_ * e);
-    if (!jacobians) return true;
-    Eigen::Matrix<double, 2, 3> by_pose;
-    by_pose << normal.x(), normal.y(), normal.dot(base.dR * middle_), 0, 0, 1;
-    Eigen::Matrix<double, 2, 2> by_line;
-    by_line << -1, left_of(normal).dot(middle), 0, -1;
-    store<2, 3>(jacobians[0], W_ * by_pose);
-    store<2, 2>(jacobians[1], W_ * by_line);
+    evaluate_seen_line(e, middle, base.dR * middle_, normal, left_of(normal), W_, residuals, jacobians);
     return true;
   }
 

@@ -72,14 +72,7 @@ class LandmarkFactor : public ceres::SizedCostFunction<2, 3, 2> {
     const Point from = Point(v[0][0], v[0][1]) + base.R * middle_ - anchor_;
     const Point normal = line.R * normal_;
     const Eigen::Vector2d e(normal.dot(from) - v[1][0], wrap_angle(turn_ + v[0][2] - v[1][1]));
-    store<2, 1>(residuals, W_ * e);
-    if (!jacobians) return true;
-    Eigen::Matrix<double, 2, 3> by_pose;
-    by_pose << normal.x(), normal.y(), normal.dot(base.dR * middle_), 0, 0, 1;
-    Eigen::Matrix2d by_line;
-    by_line << -1, (line.dR * normal_).dot(from), 0, -1;
-    store<2, 3>(jacobians[0], W_ * by_pose);
-    store<2, 2>(jacobians[1], W_ * by_line);
+    evaluate_seen_line(e, from, base.dR * middle_, normal, line.dR * normal_, W_, residuals, jacobians);
     return true;
   }
 

@@ -51,9 +51,8 @@ std::vector<std::string> long_columns(const std::vector<PlanElement>& elements) 
 /// Of the doors in the middle: one gate, or one line that belongs to no door, says nothing.
 double usual_door_m(const std::vector<PlanElement>& elements) {
   std::vector<double> widths_m;
-  bool has_swing = false;
   for (const PlanElement& element : elements)
-    if (element.type == "opal:Door") widths_m.push_back(width_of_door_m(element, has_swing));
+    if (element.type == "opal:Door") widths_m.push_back(door_width(element).width_m);
   if (widths_m.empty()) return 0;
   return upper_median_of(std::move(widths_m));
 }

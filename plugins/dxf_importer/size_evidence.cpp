@@ -37,10 +37,8 @@ constexpr std::size_t kLongestFaces = 1000;
 std::vector<double> leaves_of(const std::vector<PlanElement>& elements) {
   std::vector<double> leaves_m;
   for (const PlanElement& element : elements) {
-    bool has_swing = false;
     if (element.type != "opal:Door") continue;
-    const double width_m = width_of_door_m(element, has_swing);
-    if (has_swing) leaves_m.push_back(width_m);
+    if (const DoorWidth door = door_width(element); door.has_swing) leaves_m.push_back(door.width_m);
   }
   std::sort(leaves_m.begin(), leaves_m.end());
   return leaves_m;
@@ -115,34 +113,33 @@ std::string doubt_about_walls(const WallFaces& walls, const LengthUnit& unit) {
 
 }  // namespace
 
-double width_of_door_m(const PlanElement& door, bool& has_swing) {
+DoorWidth door_width(const PlanElement& door) {
   Eigen::AlignedBox2d box;
   double leaf_m = 0;
   for (const PlanLine& line : door.lines) {
     for (const Point& p : line.points) box.extend(p);
     if (const auto swing = swing_of(line.points); swing && !line.closed) leaf_m = std::max(leaf_m, swing->radius_m());
   }
-  has_swing = leaf_m > 0;
-  return has_swing ? leaf_m : box.isEmpty() ? 0 : box.sizes().maxCoeff();
+  if (leaf_m > 0) return {leaf_m, true};
+  return {box.isEmpty() ? 0 : box.sizes().maxCoeff(), false};
 }
 
 std::string doubt_about_size(const std::vector<PlanElement>& elements, const PlanAssembly& assembly,
                              const PlanOptions& options, const LengthUnit& unit) {
   const std::vector<double> leaves_m = leaves_of(elements);
-  const WallFaces walls = walls_of(*assembly.map, options.max_wall_thickness_m);
   const bool is_odd = !leaves_m.empty() && (*quantile_of(leaves_m, kNarrowestShare) > kTooWide_m ||
                                             *quantile_of(leaves_m, kWidestShare) < kTooNarrow_m);
+  if (!leaves_m.empty() && !is_odd) return "";
+  const WallFaces walls = walls_of(*assembly.map, options.max_wall_thickness_m);
+  if (leaves_m.empty()) return doubt_about_walls(walls, unit);
+  const double leaf_m = *median_of(leaves_m);
   const std::string about_walls =
       walls.faces.empty() ? "" : fmt::format(", walls {:.2f} m thick", walls.thickness_m(0.5));
-  if (is_odd) {
-    const double leaf_m = *median_of(leaves_m);
-    return fmt::format(
-        "doubtful: leaves of doors are {:.2f} m wide (median of {}){}, expected {} to {} m and at most {} m for most "
-        "walls, is the unit right ({})?{}",
-        leaf_m, leaves_m.size(), about_walls, kNarrowLeaf_m, kWideLeaf_m, kThickWalls_m, unit.name,
-        length_units_that_fit(leaf_m / unit.metres, kNarrowLeaf_m, kWideLeaf_m));
-  }
-  return leaves_m.empty() ? doubt_about_walls(walls, unit) : "";
+  return fmt::format(
+      "doubtful: leaves of doors are {:.2f} m wide (median of {}){}, expected {} to {} m and at most {} m for most "
+      "walls, is the unit right ({})?{}",
+      leaf_m, leaves_m.size(), about_walls, kNarrowLeaf_m, kWideLeaf_m, kThickWalls_m, unit.name,
+      length_units_that_fit(leaf_m / unit.metres, kNarrowLeaf_m, kWideLeaf_m));
 }
 
 }  // namespace opal::dxf_importer

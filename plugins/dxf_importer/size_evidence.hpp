@@ -8,9 +8,12 @@
 
 namespace opal::dxf_importer {
 
-/// The width of a door [m]: of its leaf if it has a swing, else of all that is drawn; 0: nothing is.
-/// @param has_swing  gets whether it has one.
-double width_of_door_m(const PlanElement& door, bool& has_swing);
+/// How wide a door is.
+struct DoorWidth {
+  double width_m = 0;      ///< of its leaf if it has a swing, else of all that is drawn; 0: nothing is
+  bool has_swing = false;  ///< an arc shows how far its leaf turns
+};
+DoorWidth door_width(const PlanElement& door);
 
 /// A sentence that begins with "doubtful", where leaves of doors, or walls, are larger or smaller than any building has
 /// them: with what was found, what was expected, and the units in which it would fit. Empty: nothing is odd.

@@ -5,6 +5,7 @@
 #include <Eigen/LU>
 
 #include <algorithm>
+#include <optional>
 
 namespace opal::point_to_line {
 namespace {
@@ -79,14 +80,15 @@ class Refinement {
 
   /// A search finds any position along a corridor as good, and wrong normals would hold it where it was found: there,
   /// the guess is the better start (Zhang, Kaess and Singh 2016).
-  Pose2 start_from(const Pose2& found, double scale_m) const {
-    const Equations e = equations_at(found, scale_m);
+  /// @param e  at the pose that was found.
+  /// @return none where points say more.
+  std::optional<Pose2> better_start(const Pose2& found, const Equations& e) const {
     const Eigen::Matrix2d known = prior_information().head<2>().asDiagonal();
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(e.H.topLeftCorner<2, 2>() - known);
     const Point weakest = axes.eigenvectors().col(0);
-    if (axes.eigenvalues()[0] > kMoreThanSpurious * weakest.dot(e.spurious * weakest)) return found;
+    if (axes.eigenvalues()[0] > kMoreThanSpurious * weakest.dot(e.spurious * weakest)) return std::nullopt;
     const Point off = found.position() - prior_.T_reference_scan.position();
-    return {Point(found.position() - weakest.dot(off) * weakest), found.heading_rad()};
+    return Pose2(Point(found.position() - weakest.dot(off) * weakest), found.heading_rad());
   }
 
  private:
@@ -135,9 +137,14 @@ Refined refine(const ReferenceGrid& grid, std::span<const Point> scan, const Pos
   const Refinement refinement(grid, scan, prior, options);
   Refined result;
   double scale_m = kFirstScale * options.robust_scale_m;
-  Pose2 pose = refinement.start_from(start, scale_m);
+  Pose2 pose = start;
+  Equations e = refinement.equations_at(pose, scale_m);
+  if (const auto better = refinement.better_start(start, e)) {
+    pose = *better;
+    e = refinement.equations_at(pose, scale_m);
+  }
   for (int i = 0; i < options.iterations; ++i) {
-    const Equations e = refinement.equations_at(pose, scale_m);
+    if (i > 0) e = refinement.equations_at(pose, scale_m);
     const Eigen::Vector3d step = e.H.ldlt().solve(-e.g);
     pose = Pose2(pose.position() + step.head<2>(), pose.heading_rad() + step.z());
     const bool widest_passed = scale_m <= options.robust_scale_m;
