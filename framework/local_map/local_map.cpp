@@ -5,6 +5,7 @@
 #include "local_map/local_map_horizon.hpp"
 #include "local_map/local_map_merging.hpp"
 #include "local_map/local_map_odometry.hpp"
+#include "local_map/matched_points.hpp"
 
 #include <Eigen/Cholesky>
 
@@ -92,14 +93,16 @@ Pose2 LocalMap::State::predict(const Pose2& T_odom_now) const {
 
 /// The predicted pose laid over the points seen lately, as far as they tell (thesis A.1.2).
 Pose2 LocalMap::State::improve(const Pose2& predicted, const std::vector<Point>& points) {
-  last_match = {};
-  last_match.T_reference_scan = predicted;
-  if (!matcher || keyframes.empty() || points.empty()) return predicted;
-  const std::vector<Point> reference = points_around(predicted.position(), keyframes);
   const Eigen::Vector3d sigma = odometry_sigma(T_local_base.inverse() * predicted, options);
-  last_match = matcher->match(reference, points, predicted, sigma);
-  last_match.converged = last_match.converged && is_usable(last_match.T_reference_scan);
-  return last_match.converged ? last_match.T_reference_scan : predicted;
+  ScanMatch by_odometry;
+  by_odometry.T_reference_scan = predicted;
+  by_odometry.covariance = sigma.cwiseAbs2().asDiagonal();
+  last_match = by_odometry;
+  if (!matcher || keyframes.empty() || points.empty()) return predicted;
+  const ScanMatch match = matcher->match(matched_points(predicted.position(), keyframes), points, predicted, sigma);
+  if (match.converged && is_usable(match.T_reference_scan)) last_match = match;
+  last_match.inlier_share = match.inlier_share;
+  return last_match.T_reference_scan;
 }
 
 /// The newest keyframe's way is measured from the one that stays before it.

@@ -2,6 +2,8 @@
 
 #include "pose_search.hpp"
 
+#include <opal/sensing/point_runs.hpp>
+
 #include <algorithm>
 #include <array>
 #include <numbers>
@@ -36,6 +38,17 @@ std::vector<Point> without_grazed(const std::vector<Point>& points) {
   std::vector<Point> kept;
   for (std::size_t i = 0; i + 1 < points.size(); ++i)
     if (!is_sparse_by_grazing(points[i], points[i + 1])) kept.push_back(points[i]);
+  return kept;
+}
+
+/// Whatever a person may be counts as a few points, so that one who walks along does not outvote odometry.
+std::vector<Point> with_few_that_may_walk(const std::vector<Point>& points) {
+  constexpr std::size_t kFew = 2;
+  std::vector<Point> kept;
+  for (const PointRun& run : point_runs(points)) {
+    const std::size_t step = run.may_walk ? std::max<std::size_t>(1, (run.end - run.first) / kFew) : 1;
+    for (std::size_t k = run.first + step / 2; k < run.end; k += step) kept.push_back(points[k]);
+  }
   return kept;
 }
 
@@ -111,9 +124,9 @@ ScanMatch PointToLineMatcher::match(std::span<const Point> reference, std::span<
   if (dense.size() < kFewestPoints || known.size() < kFewestPoints || !prior.sigma.allFinite()) return nothing;
 
   const ReferenceGrid grid(known);
-  const std::vector<Pose2> starts =
-      search_poses(grid, evenly(dense, options_.search_points), guess, prior.sigma, options_.search_sigmas);
-  const std::vector<Point> points = evenly(seen, options_.max_points);
+  const std::vector<Pose2> starts = search_poses(grid, with_few_that_may_walk(evenly(dense, options_.search_points)),
+                                                 guess, prior.sigma, options_.search_sigmas);
+  const std::vector<Point> points = with_few_that_may_walk(evenly(seen, options_.max_points));
   Refined best = refine(grid, points, starts.front(), prior, options_.refinement);
   for (std::size_t i = 1; i < starts.size(); ++i) {
     const Refined other = refine(grid, points, starts[i], prior, options_.refinement);

@@ -2,6 +2,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <cmath>
+
 using namespace opal;
 
 namespace {
@@ -57,6 +59,14 @@ TEST_CASE("where nothing is matched, the last match is where odometry has the ro
   map.add(one_point_from(Pose2(6, 3, 0.3)), {});
   CHECK_FALSE(map.last_match().converged);
   CHECK(distance_m(map.last_match().T_reference_scan, Pose2(1, 2, 0)) < 1e-12);
+}
+
+TEST_CASE("a match that did not converge says no more than odometry") {
+  LocalMap map({}, std::make_shared<AskedMatcher>());  // its covariance is zero
+  map.add(one_point_from(Pose2(5, 1, 0)), {});
+  map.add(one_point_from(Pose2(6, 3, 0)), {});
+  CHECK(std::sqrt(map.last_match().covariance(0, 0)) == Approx(std::hypot(0.06, 0.15 * std::sqrt(5.0))));
+  CHECK(std::sqrt(map.last_match().covariance(2, 2)) > LocalMapOptions{}.odometry_heading_sigma_rad);
 }
 
 TEST_CASE("a covariance that is none is made one: symmetric, and without what would be negative variances") {

@@ -4,6 +4,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <limits>
 
 using namespace opal;
@@ -98,6 +99,27 @@ TEST_CASE("people in a third of the view do not pull the match away") {
     CHECK(distance_m(match.T_reference_scan, c.T_reference_scan) < 0.06);
     CHECK(angle_between_rad(match.T_reference_scan, c.T_reference_scan) < 0.02);
   }
+}
+
+TEST_CASE("a person who walks ahead in a bare corridor does not hold the robot back") {
+  std::mt19937 random(12);
+  const PointToLineMatcher matcher({});
+  constexpr double kStep_m = 0.14;
+  const Eigen::Vector3d sigma(0.06, 0.06, 0.1);
+  const auto with_legs = [&](double x_m) {
+    auto points = seen_nearby(x_m, random);
+    const auto ahead = std::find_if(points.begin(), points.end(), [](const Point& p) { return p.y() > 0; });
+    std::vector<Point> legs;
+    for (int k = -4; k <= 4; ++k) legs.push_back(Point(2, 0.02 * k) + Point(kNoise_m * uniform(random, 1), 0));
+    points.insert(ahead, legs.begin(), legs.end());
+    return points;
+  };
+  double behind_m = 0;
+  for (int k = 0; k < 30; ++k) {
+    const ScanMatch match = matcher.match(with_legs(0), with_legs(kStep_m), Pose2(kStep_m, 0, 0), sigma);
+    behind_m += kStep_m - match.T_reference_scan.x();
+  }
+  CHECK(behind_m < 0.15 * 30 * kStep_m);
 }
 
 TEST_CASE("a scan of another place does not converge") {

@@ -97,7 +97,7 @@ class OPAL_EXPORT LocalMap {
   /// one thing, whatever the map calls it, however long the robot looks at it, and however it moves.
   /// @param points  base_link frame [m].
   std::vector<EvidenceCell> evidence_cells(const std::vector<Point>& points) const;
-  /// Quality of the last scan match; converged = false if there was none.
+  /// The last scan match. Without one (converged = false), pose and covariance are odometry's.
   const ScanMatch& last_match() const;
 
  private:
