@@ -3,38 +3,65 @@
 #include "localization/alignment/pose_step.hpp"
 
 #include <Eigen/Dense>
+#include <Eigen/Geometry>
 
 #include <cmath>
 
 namespace opal {
+namespace {
 
-/// What is unknown of the heading shifts the pose the more the further the robot has driven.
-Eigen::Matrix3d PoseFilter::known_here(const Pose2& predicted, const Pose2& T_local_base) const {
-  const Point moved = -predicted.rotate((T_local_base.inverse() * T_local_base_).position());
+// Points of one wall share their errors: together they say as much as a few of 0.06 m would.
+constexpr double kPoint_m = 0.3;
+
+// Steps err against each other: a scan that was paired with odometry a little too early is followed by one that makes
+// up for it. So much of their summed covariance is left, on recorded sites and with simulated lasers of many kinds.
+constexpr double kLeftOfSteps = 0.25;
+
+/// @param covariance  in axes that the frame holds turned by `heading_rad`. @return in axes of the frame.
+Eigen::Matrix3d turned(const Eigen::Matrix3d& covariance, double heading_rad) {
+  Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
+  turn.topLeftCorner<2, 2>() = Eigen::Rotation2Dd(heading_rad).toRotationMatrix();
+  return turn * covariance * turn.transpose();
+}
+
+}  // namespace
+
+/// A hypothesis is where a pattern or a search puts it, and places beside it are hypotheses of their own.
+PoseFilter::PoseFilter() {
+  constexpr double kFound_m = 0.3, kFound_rad = 0.05;
+  const Eigen::Vector3d found(1 / (kFound_m * kFound_m), 1 / (kFound_m * kFound_m), 1 / (kFound_rad * kFound_rad));
+  known_ = kPoint_m * kPoint_m * found.asDiagonal();
+}
+
+/// What is unknown of the heading shifts the pose the more the further the robot has driven, and each step adds what is
+/// unknown of it (Thrun, Burgard and Fox 2005, eq. 3.34; nothing may be known).
+Eigen::Matrix3d PoseFilter::known_after(const DeadReckoning& step) const {
+  const Pose2 T_local_before = T_local_base_.value_or(step.T_local_base);
+  const Point moved = -step.predicted.rotate((step.T_local_base.inverse() * T_local_before).position());
   Eigen::Matrix3d there_of_here = Eigen::Matrix3d::Identity();
   there_of_here(0, 2) = moved.y();
   there_of_here(1, 2) = -moved.x();
-  return there_of_here.transpose() * known_ * there_of_here;
+  const Eigen::Matrix3d known = there_of_here.transpose() * known_ * there_of_here;
+  const double heading_of_local_rad = step.predicted.heading_rad() - step.T_local_base.heading_rad();
+  const Eigen::Matrix3d added = kLeftOfSteps / (kPoint_m * kPoint_m) * turned(step.covariance, heading_of_local_rad);
+  return (Eigen::Matrix3d::Identity() + known * added).partialPivLu().solve(known);
 }
 
-Pose2 PoseFilter::update(const Pose2& predicted, const Alignment& scan, double tempering_weight,
-                         const Pose2& T_local_base, const PoseFilterOptions& options) {
-  constexpr double kNothing = 1e-3;
+Pose2 PoseFilter::update(const DeadReckoning& dead_reckoning, const Alignment& scan, double tempering_weight,
+                         const PoseFilterOptions& options) {
   const Eigen::Matrix3d said = tempering_weight * (scan.by_points + scan.by_guess);
   if (!said.allFinite()) return scan.T_map_base;
+  const Pose2& predicted = dead_reckoning.predicted;
   const Eigen::Vector3d step = step_between(predicted, scan.T_map_base);
-  const Eigen::Matrix3d kept = known_here(predicted, T_local_base) * std::pow(options.memory, tempering_weight);
+  const Eigen::Matrix3d kept = known_after(dead_reckoning) * std::pow(options.memory, tempering_weight);
   const double trust = robust_weight(step.head<2>().norm(), options.jump_m);
   known_ = std::pow(trust, tempering_weight) * kept + tempering_weight * scan.by_points;
-  T_local_base_ = T_local_base;
-  if (kept.trace() < kNothing) return scan.T_map_base;
+  T_local_base_ = dead_reckoning.T_local_base;
   const Eigen::Vector3d by_all = (trust * kept + said).ldlt().solve(said * step);
   return by_all.allFinite() ? stepped(predicted, by_all) : scan.T_map_base;
 }
 
 Eigen::Matrix3d PoseFilter::covariance() const {
-  // Points of one wall share their errors: together they say as much as a few of 0.06 m would.
-  constexpr double kPoint_m = 0.3;
   // The map's own error does not average out; position and heading on the recorded sites.
   constexpr double kMap_m = 0.04, kMap_rad = 0.008;
   // Nobody knows less than that, 5 m and half a turn.

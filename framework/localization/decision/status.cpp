@@ -3,6 +3,7 @@
 #include "localization/decision/same_place.hpp"
 
 #include <fmt/format.h>
+#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>
@@ -23,6 +24,8 @@ Status unproven(const PoseEstimate& estimate) {
 
 /// To the digits that are printed: what is not above a limit must not look as if it were.
 double rounded_down(double probability) { return std::floor(probability * 1000) / 1000; }
+
+constexpr double kSigmas = 3;  // an error within so many standard deviations is to be expected
 
 }  // namespace
 
@@ -125,13 +128,26 @@ StatusEstimator::Judgement StatusEstimator::judge(const Live& best, const Pose2&
                         unbroken_, options_.localized_weight)};
   const double asked = weight_asked(now.unmapped_walls_m);
   const bool is_other_place = agreement_.share() < options_.localized_least_agreement;
-  const Status status = sure_ >= asked && !doubt && !is_other_place ? Status::localized : unproven(estimate);
+  const bool proven = sure_ >= asked && !doubt && !is_other_place;
+  if (std::string vague = proven ? why_vague(estimate.covariance) : ""; !vague.empty())
+    return {unproven(estimate), std::move(vague)};
+  const Status status = proven ? Status::localized : unproven(estimate);
   if (sure_ > 0 && is_other_place)
     return {status, fmt::format("{:.0f} % of the beams that the map speaks about pass through what it has: is it the "
                                 "map of this building?",
                                 100 * (1 - agreement_.share()))};
   if (sure_ > 0) return {status, why_held(asked, now.unmapped_walls_m)};
   return {status, why_unsure(same, estimate.probability * (1 - now.kidnapped))};
+}
+
+std::string StatusEstimator::why_vague(const Eigen::Matrix3d& covariance) const {
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(covariance.topLeftCorner<2, 2>(), Eigen::EigenvaluesOnly);
+  const double off_m = kSigmas * std::sqrt(axes.eigenvalues()[1]), off_rad = kSigmas * std::sqrt(covariance(2, 2));
+  if (off_m <= options_.localized_within_m && off_rad <= options_.localized_within_rad) return "";
+  return fmt::format(
+      "the place is known, the pose only within {:.2f} m and {:.1f} degrees, and should be within {:.2f} m and {:.1f} "
+      "degrees: little has been seen lately that fixes it",
+      off_m, degrees(off_rad), options_.localized_within_m, degrees(options_.localized_within_rad));
 }
 
 std::string StatusEstimator::why_unsure(bool same, double probability) const {

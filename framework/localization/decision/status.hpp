@@ -77,6 +77,8 @@ class OPAL_EXPORT StatusEstimator {
   void reckon_with(double kidnapped, PoseEstimate& estimate);
   /// The required probability has held for so long, and no longer.
   std::string why_held(double asked, double unmapped_walls_m) const;
+  /// The place is known, the pose not well enough; empty if it is.
+  std::string why_vague(const Eigen::Matrix3d& covariance) const;
   /// The required probability has not held at all. @param same  the best place is the one of before.
   std::string why_unsure(bool same, double probability) const;
   Status while_contradicted(const PoseEstimate& estimate) const;

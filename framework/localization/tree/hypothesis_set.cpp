@@ -78,9 +78,10 @@ void HypothesisSet::track(const Observation& observation, double tempering_weigh
   for (std::size_t k = 0; k < alive_.size(); ++k) {
     Live& live = alive_[k];
     Hypothesis& hypothesis = live.hypothesis;
-    hypothesis.T_map_local = live.pose.update(moved[k].predicted, moved[k].scan, tempering_weight, T_local_base,
-                                              {tracking_.pose_memory, kPoseJump_m}) *
-                             T_local_base.inverse();
+    const DeadReckoning step{moved[k].predicted, T_local_base, observation.local_map.last_match().covariance};
+    hypothesis.T_map_local =
+        live.pose.update(step, moved[k].scan, tempering_weight, {tracking_.pose_memory, kPoseJump_m}) *
+        T_local_base.inverse();
     live.scan_nat = verdicts[k].nat;
     ++live.updates;
     const double kept = kept_share(tempering_weight, tracking_.evidence_memory);

@@ -1,5 +1,5 @@
 // What the drive says against the sensor description decides over the status.
-#include "localization/decision/status.hpp"
+#include "tests/localization/decision/made_status.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -9,12 +9,8 @@ namespace {
 
 /// One place that explains everything, for as many scans.
 PoseEstimate sure_of_one_place(StatusEstimator& estimator, int scans) {
-  Live live;
-  live.hypothesis.id = HypothesisId(1);
-  live.hypothesis.log_likelihood = 50;
-  live.scan_nat = 1;
   PoseEstimate estimate;
-  for (int k = 0; k < scans; ++k) estimate = estimator.estimate({live}, Pose2(), k, {});
+  for (int k = 0; k < scans; ++k) estimate = estimator.estimate({hypothesis(1, kHere, 50)}, Pose2(), k, {});
   return estimate;
 }
 

@@ -11,7 +11,7 @@ namespace opal {
 inline constexpr double kDecisionMemory = 0.99;
 inline const Pose2 kHere(3, 2, 0.5), kThere(20, 9, 2), kElsewhere(-8, 4, -1);
 
-/// @param T_map_base  where the robot is now by it.
+/// In view of walls on all sides. @param T_map_base  where the robot is now by it.
 inline Live hypothesis(int id, const Pose2& T_map_base, double nat, double scan_nat = 1,
                        const Pose2& T_local_base = Pose2()) {
   Live live;
@@ -19,6 +19,8 @@ inline Live hypothesis(int id, const Pose2& T_map_base, double nat, double scan_
   live.hypothesis.T_map_local = T_map_base * T_local_base.inverse();
   live.hypothesis.log_likelihood = nat;
   live.scan_nat = scan_nat;
+  const Alignment walls{T_map_base, Eigen::Vector3d(50, 50, 500).asDiagonal(), Eigen::Matrix3d::Zero()};
+  live.pose.update({T_map_base, T_local_base}, walls, 1, {});
   return live;
 }
 

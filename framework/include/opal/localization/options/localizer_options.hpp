@@ -121,6 +121,10 @@ struct StatusOptions {
   double localized_lead = 0.1;
   /// Most tempering weight that is required, whatever is missing; `localized_weight` if that is more.
   double localized_most_weight = 20;
+  /// How far off a pose may be that is localized: three standard deviations [m].
+  double localized_within_m = 1;
+  /// And how far turned [rad].
+  double localized_within_rad = 0.175;
   /// Mean score of the newest scans below which a robot that was localized is lost [nat].
   double lost_scan_nat = -0.2;
 };
