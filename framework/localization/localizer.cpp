@@ -12,6 +12,7 @@
 #include "localization/events/run_journal.hpp"
 #include "localization/guarded_parts.hpp"
 #include "localization/observation/observation.hpp"
+#include "localization/observation/settling.hpp"
 #include "localization/scoring/scorer_ensemble.hpp"
 #include "localization/search/map_search.hpp"
 #include "localization/tree/hypothesis_set.hpp"
@@ -49,7 +50,6 @@ struct Localizer::State {
   void check_sensors(const Sample& sample);
   void forget_drive();
   bool is_keyframe(const Sample& sample);
-  bool moved_enough(const Pose2& T_odom_base) const;
   bool fits_no_more(const Sample& sample) const;
   double tempering_weight() const;  ///< of the newest scan
   PoseEstimate estimate(const Observation& observation);
@@ -78,6 +78,7 @@ struct Localizer::State {
   HypothesisSet hypotheses;
   KidnapDetector kidnapping;
   RideWatch rides;
+  Settling settling;
   MapSearch search_session;  ///< global searches from scan to scan
   StatusEstimator status;
 
@@ -151,20 +152,18 @@ void Localizer::State::forget_drive() {
   hypotheses.clear();
   kidnapping.reset();
   rides.reset();
+  settling = {};
   status.reset();
   started = false;
   search_session.restart();
 }
 
 bool Localizer::State::is_keyframe(const Sample& sample) {
-  const bool moved = moved_enough(sample.T_odom_base),
+  const bool settles = settling.add(sample.stamp_s, sample.T_odom_base);
+  const bool moved = settles || !started || parts.keyframes.are_apart(T_odom_base, sample.T_odom_base),
              sees_other = !moved && !search_session.has_hint() && fits_no_more(sample);
   rode = rides.may_have_ridden(sample, best_pose_at(sample.T_odom_base), sees_other);
   return rode || search_session.has_hint() || moved || sees_other;
-}
-
-bool Localizer::State::moved_enough(const Pose2& now) const {
-  return !started || parts.keyframes.are_apart(T_odom_base, now);
 }
 
 /// A robot that stands, and sees something else than it should, has been kidnapped or turned.
