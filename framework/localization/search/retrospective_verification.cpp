@@ -42,6 +42,15 @@ void RetrospectiveVerification::remember(const Observation& observation, Keyfram
   if (scans_.size() > static_cast<std::size_t>(options_.scans)) scans_.pop_back();
 }
 
+double RetrospectiveVerification::best_nat() const {
+  double weight = 1, nat = 0;
+  for (const PastScan& scan : scans_) {
+    weight *= std::pow(evidence_memory_, scan.tempering_weight);
+    nat += weight * scan.tempering_weight * scan.best_nat;
+  }
+  return nat;
+}
+
 RetrospectiveVerification::Verdict RetrospectiveVerification::verify(const Hypothesis& hypothesis,
                                                                      const LocalMap& local_map) const {
   RefinementOptions refinement;
@@ -51,6 +60,7 @@ RetrospectiveVerification::Verdict RetrospectiveVerification::verify(const Hypot
   Pose2 T_later_local = T_now_local, T_map_base = hypothesis.T_map_local * T_local_now;
   Hypothesis trial = hypothesis;
   Verdict verdict;
+  const double most_behind_nat = std::max(options_.behind_nat, lead_ * best_nat());
   double weight = 1, behind_nat = 0;
   std::optional<Verdict> kidnapped;  // the verdict if the robot was kidnapped
   for (const PastScan& scan : scans_) {
@@ -71,7 +81,7 @@ RetrospectiveVerification::Verdict RetrospectiveVerification::verify(const Hypot
     verdict.nat += weight * scan.tempering_weight * nat;
     behind_nat += weight * scan.tempering_weight * (scan.best_nat - nat);
     ++verdict.scans;
-    verdict.hopeless = behind_nat > options_.behind_nat;
+    verdict.hopeless = behind_nat > most_behind_nat;
     if (verdict.hopeless) break;
   }
   verdict.memories = trial.memories;

@@ -15,9 +15,11 @@ namespace opal {
 /// have come from.
 class OPAL_EXPORT RetrospectiveVerification {
  public:
+  /// @param evidence_memory  as TrackingOptions.
+  /// @param lead  as StatusOptions::localized_lead: who is within it is not hopeless.
   RetrospectiveVerification(std::shared_ptr<const MapView> map, const ScorerEnsemble& ensemble,
-                            const VerificationOptions& options, double evidence_memory)
-      : map_(std::move(map)), ensemble_(ensemble), options_(options), evidence_memory_(evidence_memory) {}
+                            const VerificationOptions& options, double evidence_memory, double lead = 0)
+      : map_(std::move(map)), ensemble_(ensemble), options_(options), evidence_memory_(evidence_memory), lead_(lead) {}
 
   /// Keeps an observation once the newest ones add up to a whole new piece of evidence.
   /// @param keyframe  of the observation.
@@ -76,13 +78,16 @@ class OPAL_EXPORT RetrospectiveVerification {
     std::vector<PlaceComparison::Place> places;  ///< of the hypotheses then, and of those that came later
   };
 
+  /// Evidence of the scans that are kept, for the best hypotheses of the time.
+  double best_nat() const;
   /// What a verdict on the scans since then becomes.
   Verdict if_kidnapped(const Verdict& since) const;
 
   std::shared_ptr<const MapView> map_;
   const ScorerEnsemble& ensemble_;
   VerificationOptions options_;
-  double evidence_memory_;      ///< as TrackingOptions
+  double evidence_memory_;
+  double lead_;
   std::deque<PastScan> scans_;  ///< newest first
   double pending_ = 0;          ///< tempering_weight since the newest
   std::optional<Takeover> kidnapping_;

@@ -51,6 +51,7 @@ HypothesisSet::HypothesisSet(std::shared_ptr<const MapView> map, const ScorerEns
       tracking_(options.tracking),
       growth_(options.growth),
       options_(options.hypotheses),
+      lead_(options.status.localized_lead),
       listener_(listener),
       comparison_(map_, options.hypotheses.compared_places, options.tracking.evidence_memory) {}
 
@@ -274,11 +275,13 @@ void HypothesisSet::prune() {
   sort_best_first(alive_);
   if (alive_.empty()) return;
   const double best = alive_.front().hypothesis.log_likelihood;
+  const double most_behind =
+      std::max(options_.prune_nat, lead_ * best);  // the status asks about those within that lead
   for (std::size_t k = 0; k < alive_.size(); ++k) {
     Live& live = alive_[k];
-    if (live.hypothesis.log_likelihood < best - options_.prune_nat)
-      end(live, fmt::format("worse than the best by {:.1f} nat, more than {:.1f}",
-                            best - live.hypothesis.log_likelihood, options_.prune_nat));
+    const double behind = best - live.hypothesis.log_likelihood;
+    if (behind > most_behind)
+      end(live, fmt::format("worse than the best by {:.1f} nat, more than {:.1f}", behind, most_behind));
     else if (growth_.max_consecutive_not_on_map > 0 && live.consecutive_not_on_map > growth_.max_consecutive_not_on_map)
       end(live, "too many features in a row that are not on the map");
   }

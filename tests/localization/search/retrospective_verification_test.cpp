@@ -128,6 +128,20 @@ TEST_CASE("a wrong pose is told to be hopeless before all scans are looked at") 
   CHECK(verdict.scans < 12);
 }
 
+TEST_CASE("who is within the lead that the status asks for is not hopeless, however much evidence there is") {
+  const auto verdict = [](double lead) {
+    const std::shared_ptr<const MapView> map = view_of(room());
+    Judges judges(map, {{"constant", constant_scorer(9), ScorerRole::decides, 1}});
+    RetrospectiveVerification past(map, judges.ensemble, verification_options(), 1, lead);
+    Robot robot(map, Pose2(2, 4, 0));
+    for (int k = 0; k < 10; ++k) past.remember(robot.observation(), KeyframeId(k), 1, 10);
+    return past.verify(robot.truth(), robot.local_map());
+  };
+  CHECK(verdict(0).hopeless);  // 10 nat less of 100
+  CHECK(verdict(0.05).hopeless);
+  CHECK_FALSE(verdict(0.2).hopeless);
+}
+
 TEST_CASE("who keeps up with the best of the time is not hopeless, however little that was") {
   Past past = past_of(-3);
   for (int k = 0; k < 14; ++k) past.see(1, -3);

@@ -199,6 +199,16 @@ TEST_CASE("who is worse than the best by more than the limit ends, and nobody el
   CHECK_FALSE(line.listener.why.at(HypothesisId(2)).merged_into.exists());
 }
 
+TEST_CASE("who is within the lead that the status asks for stays, however much evidence there is") {
+  LocalizerOptions options;
+  options.status.localized_lead = 0.2;
+  Line line(options);
+  const double best_nat = 100, lead_nat = 0.2 * (best_nat + kSpawn_nat);
+  line.nat_at = [&](double x_m) { return best_nat - x_m; };
+  line.spawn({0, lead_nat - 0.5, lead_nat + 0.5});
+  CHECK(ids_of(line.set.alive()) == ids({0, 1}));
+}
+
 TEST_CASE("a hypothesis that falls behind while it is tracked ends") {
   Line line;
   line.spawn({0, 10});
