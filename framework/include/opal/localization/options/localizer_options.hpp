@@ -118,7 +118,7 @@ struct StatusOptions {
   double localized_least_agreement = 0.25;
   /// Share of its evidence by which the best place must lead over any other place. Where two places look alike, what
   /// errors of the map and of the model add up to decides.
-  double localized_lead = 0.2;
+  double localized_lead = 0.15;
   /// Most tempering weight that is required, whatever is missing; `localized_weight` if that is more.
   double localized_most_weight = 20;
   /// How far off a pose may be that is localized: three standard deviations [m].
