@@ -1,5 +1,6 @@
 #include <opal/local_map/local_map.hpp>
 
+#include "common/turned_covariance.hpp"
 #include "local_map/local_map_association.hpp"
 #include "local_map/local_map_graph.hpp"
 #include "local_map/local_map_horizon.hpp"
@@ -124,11 +125,7 @@ RelativePose LocalMap::State::motion_to_newest(const Keyframe& from) const {
   const Keyframe& to = keyframes.back();
   RelativePose motion{from.id, to.id, from.T_local_base.inverse() * to.T_local_base, {}};
   if (last_match.converged) {
-    Eigen::Matrix3d to_frame = Eigen::Matrix3d::Identity();  // the match's covariance is in axes of `local`
-    const Pose2 T_from_local = from.T_local_base.inverse();
-    to_frame.col(0).head<2>() = T_from_local.rotate(Point::UnitX());
-    to_frame.col(1).head<2>() = T_from_local.rotate(Point::UnitY());
-    motion.covariance = to_frame * last_match.covariance * to_frame.transpose();
+    motion.covariance = turned_covariance(from.T_local_base.inverse(), last_match.covariance);
   } else {
     motion.covariance = odometry_sigma(motion.T_from_to, options).cwiseAbs2().asDiagonal();
   }

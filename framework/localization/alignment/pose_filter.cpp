@@ -1,9 +1,9 @@
 #include "localization/alignment/pose_filter.hpp"
 
+#include "common/turned_covariance.hpp"
 #include "localization/alignment/pose_step.hpp"
 
 #include <Eigen/Dense>
-#include <Eigen/Geometry>
 
 #include <cmath>
 
@@ -16,13 +16,6 @@ constexpr double kPoint_m = 0.3;
 // Steps err against each other: a scan that was paired with odometry a little too early is followed by one that makes
 // up for it. So much of their summed covariance is left, on recorded sites and with simulated lasers of many kinds.
 constexpr double kLeftOfSteps = 0.25;
-
-/// @param covariance  in axes that the frame holds turned by `heading_rad`. @return in axes of the frame.
-Eigen::Matrix3d turned(const Eigen::Matrix3d& covariance, double heading_rad) {
-  Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
-  turn.topLeftCorner<2, 2>() = Eigen::Rotation2Dd(heading_rad).toRotationMatrix();
-  return turn * covariance * turn.transpose();
-}
 
 }  // namespace
 
@@ -42,22 +35,22 @@ Eigen::Matrix3d PoseFilter::known_after(const DeadReckoning& step) const {
   there_of_here(0, 2) = moved.y();
   there_of_here(1, 2) = -moved.x();
   const Eigen::Matrix3d known = there_of_here.transpose() * known_ * there_of_here;
-  const double heading_of_local_rad = step.predicted.heading_rad() - step.T_local_base.heading_rad();
-  const Eigen::Matrix3d added = kLeftOfSteps / (kPoint_m * kPoint_m) * turned(step.covariance, heading_of_local_rad);
+  const Pose2 T_map_local = step.predicted * step.T_local_base.inverse();
+  const Eigen::Matrix3d added = kLeftOfSteps / (kPoint_m * kPoint_m) * turned_covariance(T_map_local, step.covariance);
   return (Eigen::Matrix3d::Identity() + known * added).partialPivLu().solve(known);
 }
 
-Pose2 PoseFilter::update(const DeadReckoning& dead_reckoning, const Alignment& scan, double tempering_weight,
+Pose2 PoseFilter::update(const DeadReckoning& step, const Alignment& scan, double tempering_weight,
                          const PoseFilterOptions& options) {
   const Eigen::Matrix3d said = tempering_weight * (scan.by_points + scan.by_guess);
   if (!said.allFinite()) return scan.T_map_base;
-  const Pose2& predicted = dead_reckoning.predicted;
-  const Eigen::Vector3d step = step_between(predicted, scan.T_map_base);
-  const Eigen::Matrix3d kept = known_after(dead_reckoning) * std::pow(options.memory, tempering_weight);
-  const double trust = robust_weight(step.head<2>().norm(), options.jump_m);
+  const Pose2& predicted = step.predicted;
+  const Eigen::Vector3d correction = step_between(predicted, scan.T_map_base);
+  const Eigen::Matrix3d kept = known_after(step) * std::pow(options.memory, tempering_weight);
+  const double trust = robust_weight(correction.head<2>().norm(), options.jump_m);
   known_ = std::pow(trust, tempering_weight) * kept + tempering_weight * scan.by_points;
-  T_local_base_ = dead_reckoning.T_local_base;
-  const Eigen::Vector3d by_all = (trust * kept + said).ldlt().solve(said * step);
+  T_local_base_ = step.T_local_base;
+  const Eigen::Vector3d by_all = (trust * kept + said).ldlt().solve(said * correction);
   return by_all.allFinite() ? stepped(predicted, by_all) : scan.T_map_base;
 }
 
