@@ -5,8 +5,8 @@
 #include <optional>
 
 // Options of the localizer's stages, in pipeline order. Defaults are the best known; configs/thesis3.jsonld sets those
-// of Hendrikx (2023), table 3.1. Ranges, units and meanings for people are in deployment/localizer_options.cpp; `opal
-// plugins` prints them.
+// of Hendrikx (2023), table 3.1. Ranges, units and meanings for people are in deployment/search_fields.cpp,
+// hypothesis_fields.cpp and decision_fields.cpp; `opal plugins` prints them.
 
 namespace opal {
 

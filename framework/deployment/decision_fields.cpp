@@ -1,0 +1,68 @@
+#include "deployment/stage_fields.hpp"
+
+namespace opal {
+
+const StageFields<StatusOptions>& fields_of(const StatusOptions&) {
+  using O = StatusOptions;
+  static const StageFields<O> all = {
+      {"none_scan_nat", &O::none_scan_nat, "nat", -kUnlimited, kUnlimited,
+       "Evidence per scan of weight 1 that a wrong pose gathers where the robot is not on the map. A hypothesis must "
+       "gather more to be probable."},
+      {"localized_probability", &O::localized_probability, "", 0, 1,
+       "Probability that the best place must exceed to be called localized."},
+      {"localized_weight", &O::localized_weight, "", 0, kUnlimited,
+       "Tempering weight of scans, summed up, during which the best place must hold that probability without a break. "
+       "What is asked for grows by localized_weight_per_m and localized_weight_per_share."},
+      {"localized_weight_per_m", &O::localized_weight_per_m, "1/m", 0, kUnlimited,
+       "Further tempering weight that is asked for per metre of straight wall that is seen and not on the map, beyond "
+       "localized_unmapped_m."},
+      {"localized_unmapped_m", &O::localized_unmapped_m, "m", 0, kUnlimited,
+       "Length of straight walls around the robot that may be missing on the map without further evidence being asked "
+       "for."},
+      {"localized_agreement", &O::localized_agreement, "", 0, 1,
+       "Share of beams that end on mapped surfaces, of all that end on them or pass through them. Below this share, "
+       "further evidence is asked for."},
+      {"localized_weight_per_share", &O::localized_weight_per_share, "", 0, kUnlimited,
+       "Further tempering weight that is asked for per unit by which the share of beams that end on mapped surfaces is "
+       "below localized_agreement."},
+      {"localized_least_agreement", &O::localized_least_agreement, "", 0, 1,
+       "Share of beams that end on mapped surfaces below which no evidence is enough: the map is of another place."},
+      {"localized_lead", &O::localized_lead, "", 0, 1,
+       "Share of its own evidence by which the best place must lead over every other place. 0: any lead is enough."},
+      {"localized_most_weight", &O::localized_most_weight, "", 0, kUnlimited,
+       "Most tempering weight that is ever asked for, whatever the map lacks. localized_weight, if that is more."},
+      {"localized_within_m", &O::localized_within_m, "m", 0, kUnlimited,
+       "Most that the position of a localized robot may be uncertain by, as three standard deviations."},
+      {"localized_within_rad", &O::localized_within_rad, "rad", 0, kUnlimited,
+       "Most that the heading of a localized robot may be uncertain by, as three standard deviations."},
+      {"lost_scan_nat", &O::lost_scan_nat, "nat", -kUnlimited, kUnlimited,
+       "A robot that was localized is lost if its newest five or so scans score less than this on average."},
+  };
+  return all;
+}
+
+const StageFields<KidnappingOptions>& fields_of(const KidnappingOptions&) {
+  using O = KidnappingOptions;
+  static const StageFields<O> all = {
+      {"prior_nat", &O::prior_nat, "nat", -kUnlimited, 0,
+       "Log prior that the robot was kidnapped, once a scan does not continue what was seen before. A larger value "
+       "suspects a kidnapping sooner."},
+      {"scan_nat", &O::scan_nat, "nat", -kUnlimited, kUnlimited,
+       "Score of a scan below which it speaks for a kidnapping: what a scan says for the place where the robot no "
+       "longer is."},
+      {"alarm_nat", &O::alarm_nat, "nat", 0, kUnlimited,
+       "A single scan that scores so much less than what is expected is looked at even if the robot stands still."},
+  };
+  return all;
+}
+
+const StageFields<RideOptions>& fields_of(const RideOptions&) {
+  using O = RideOptions;
+  static const StageFields<O> all = {
+      {"stand_s", &O::stand_s, "s", 0.1, 1000,
+       "Time that a robot must stand still in a lift of the map before it may be on any storey that the lift serves."},
+  };
+  return all;
+}
+
+}  // namespace opal
