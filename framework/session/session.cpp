@@ -85,10 +85,10 @@ opal::PluginRegistry load_plugins(const std::vector<std::string>& further_folder
 
 const opal::RegisteredType& importer_of(const opal::PluginRegistry& registry, const std::string& source) {
   if (!fs::exists(source)) throw opal::MapError(source + ": does not exist");
-  if (const std::string what = opal::what_placeholder(source); !what.empty()) throw opal::MapError(source + what);
+  const opal::ForeignFile foreign = opal::what_foreign_file(source);
+  if (foreign.is_placeholder) throw opal::MapError(source + foreign.what);
   const std::string name = recognizing<opal::MapImporter>(registry, opal::PluginKind::map_importer, source);
-  if (const std::string what = opal::what_foreign_file(source); name.empty() && !what.empty())
-    throw opal::MapError(source + what);
+  if (name.empty() && !foreign.what.empty()) throw opal::MapError(source + foreign.what);
   if (name.empty() && fs::is_directory(source))
     throw opal::MapError(source + ": is a folder, expected a map document or a source to import");
   if (name.empty())

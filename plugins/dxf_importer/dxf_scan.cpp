@@ -4,6 +4,7 @@
 #include "dxf_encoding.hpp"
 
 #include <opal/common/error.hpp>
+#include <opal/common/file_start.hpp>
 
 #include <fmt/format.h>
 
@@ -58,7 +59,7 @@ std::string shown(const std::string& text) {
 class Pairs {
  public:
   Pairs(const std::string& path, const std::string& text) : path_(path), text_(text) {
-    if (text_.starts_with("\xEF\xBB\xBF")) text_.erase(0, 3);
+    erase_byte_order_mark(text_);
     text_.erase(text_.find_last_not_of(kPadding) + 1);
     text_ += '\n';
   }

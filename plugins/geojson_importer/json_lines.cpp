@@ -1,5 +1,6 @@
 #include "json_lines.hpp"
 
+#include <opal/common/file_start.hpp>
 #include <opal/common/strict_json.hpp>
 
 #include <fmt/format.h>
@@ -49,9 +50,8 @@ std::optional<json> parsed(const std::string& text, const std::string& name) {
 
 }  // namespace
 
-std::optional<json> read_json_lines(const std::string& given, const std::string& name,
-                                    std::vector<std::string>& notes) {
-  const std::string text = given.starts_with("\xEF\xBB\xBF") ? given.substr(3) : given;
+std::optional<json> read_json_lines(std::string text, const std::string& name, std::vector<std::string>& notes) {
+  erase_byte_order_mark(text);
   const bool has_separators = text.find_first_not_of(" \t\r\n") == text.find(kRecordSeparator);
   const std::vector<Record> records = records_of(text, has_separators ? kRecordSeparator : '\n');
   if (records.empty() || (records.size() < 2 && !has_separators)) return std::nullopt;

@@ -14,7 +14,7 @@ namespace opal::geojson_importer {
 /// @param notes  gets sentences about what was found.
 /// @return a FeatureCollection, in which a text that says the line stands for each value that is damaged; none: the
 /// text is nothing of that kind.
-std::optional<nlohmann::json> read_json_lines(const std::string& text, const std::string& name,
+std::optional<nlohmann::json> read_json_lines(std::string text, const std::string& name,
                                               std::vector<std::string>& notes);
 
 }  // namespace opal::geojson_importer

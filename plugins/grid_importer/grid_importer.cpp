@@ -7,6 +7,7 @@
 #include "smear.hpp"
 
 #include <opal/common/error.hpp>
+#include <opal/common/file_start.hpp>
 #include <opal/common/letter_case.hpp>
 
 #include <fmt/format.h>
@@ -31,7 +32,7 @@ bool names_an_image(const std::string& path) {
   std::ifstream file(path);
   std::string line;
   for (int k = 0; k < 100 && std::getline(file, line); ++k) {
-    if (k == 0 && line.starts_with("\xEF\xBB\xBF")) line.erase(0, 3);
+    if (k == 0) erase_byte_order_mark(line);
     if (line.starts_with("image:") || line.starts_with("\"image\":")) return true;
   }
   return false;

@@ -1,5 +1,7 @@
 #include "foreign_letters.hpp"
 
+#include <opal/common/file_start.hpp>
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -45,7 +47,7 @@ bool is_utf8(const std::string& text) {
 }  // namespace
 
 std::string with_codes(std::string text) {
-  if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);
+  erase_byte_order_mark(text);
   if (std::all_of(text.begin(), text.end(), is_ascii)) return text;
   const bool is_unicode = is_utf8(text);
   std::string coded;

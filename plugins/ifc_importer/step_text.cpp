@@ -6,6 +6,7 @@
 #include "step_arguments.hpp"
 
 #include <opal/common/error.hpp>
+#include <opal/common/file_start.hpp>
 #include <opal/common/letter_case.hpp>
 
 #include <fmt/format.h>
@@ -282,10 +283,7 @@ std::string StepText::for_parser() const {
 }
 
 bool begins_like_step(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::string head(kHead_bytes, '\0');
-  file.read(head.data(), static_cast<std::streamsize>(head.size()));
-  head.resize(static_cast<std::size_t>(std::max<std::streamsize>(file.gcount(), 0)));
+  const std::string head = first_bytes(path, kHead_bytes);
   std::string_view rest = trimmed(head);
   while (rest.starts_with("/*")) {
     const std::size_t end = rest.find("*/", 2);

@@ -3,11 +3,11 @@
 #include "bzip2_chunk.hpp"
 
 #include <opal/common/error.hpp>
+#include <opal/common/file_start.hpp>
 #include <opal/recording/byte_reader.hpp>
 
 #include <algorithm>
 #include <cstring>
-#include <fstream>
 
 namespace opal::ros1_bag {
 namespace {
@@ -275,11 +275,7 @@ std::unique_ptr<recording::Recording> read_whole(recording::RecordFile file, con
 
 }  // namespace
 
-bool is_bag(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::string start(kFirstLine.size(), '\0');
-  return file.read(start.data(), static_cast<std::streamsize>(start.size())) && start == kFirstLine;
-}
+bool is_bag(const std::string& path) { return first_bytes(path, kFirstLine.size()) == kFirstLine; }
 
 std::unique_ptr<recording::Recording> read_bag(const std::string& path) {
   return read_whole(recording::open_record_file(path, "a bag of ROS 1"), path);

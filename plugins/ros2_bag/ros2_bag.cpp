@@ -2,22 +2,16 @@
 
 #include "sqlite_recording.hpp"
 
-#include <fstream>
+#include <opal/common/file_start.hpp>
+
+#include <string_view>
 
 namespace opal::ros2_bag {
-namespace {
-
-bool is_sqlite(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::string start(15, '\0');
-  return file.read(start.data(), 15) && start == "SQLite format 3";
-}
-
-}  // namespace
 
 bool Ros2Bag::recognizes_file(const std::string& file) const {
+  constexpr std::string_view kMagic = "SQLite format 3";
   try {
-    return is_sqlite(file) && !SqliteRecording(file).topics().empty();
+    return first_bytes(file, kMagic.size()) == kMagic && !SqliteRecording(file).topics().empty();
   } catch (const DamagedBag&) {
     return true;  // reading it says so
   }

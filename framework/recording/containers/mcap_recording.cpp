@@ -1,10 +1,11 @@
 #include <opal/common/error.hpp>
+#include <opal/common/file_start.hpp>
 #include <opal/recording/byte_reader.hpp>
 #include <opal/recording/mcap_recording.hpp>
 #include "recording/containers/mcap_reader.hpp"
 
 #include <cstring>
-#include <fstream>
+#include <span>
 
 namespace opal::recording {
 namespace {
@@ -207,10 +208,8 @@ std::unique_ptr<Recording> read_all_of(RecordFile file, const std::string& name)
 }  // namespace
 
 bool is_mcap(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::array<std::byte, kMcapMagic.size()> start{};
-  file.read(reinterpret_cast<char*>(start.data()), start.size());
-  return file.gcount() == static_cast<std::streamsize>(start.size()) && begins_as_mcap(start);
+  const std::string start = first_bytes(path, kMcapMagic.size());
+  return begins_as_mcap(std::as_bytes(std::span(start)));
 }
 
 std::unique_ptr<Recording> read_mcap(const std::string& path) {
