@@ -32,14 +32,10 @@ Pose2 align_with(const ExpectedFeatures& expected, std::span<const Point> points
       H += weight * J * J.transpose();
       g += weight * at.offset_m * J;
     }
-    Eigen::Vector3d step = -H.ldlt().solve(g);
-    constexpr double kLongest_m = 0.4, kWidest_rad = 0.15;
-    const double length = step.head<2>().norm();
-    if (!std::isfinite(length) || !std::isfinite(step.z())) break;
-    if (length > kLongest_m) step.head<2>() *= kLongest_m / length;
-    step.z() = std::clamp(step.z(), -kWidest_rad, kWidest_rad);
+    const Eigen::Vector3d step = limited(-H.ldlt().solve(g));
+    if (!step.allFinite()) break;
     pose = stepped(pose, step);
-    if (length < 0.002 && std::abs(step.z()) < 0.0005) break;
+    if (step.head<2>().norm() < 0.002 && std::abs(step.z()) < 0.0005) break;
   }
   return pose;
 }

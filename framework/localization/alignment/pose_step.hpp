@@ -17,6 +17,13 @@ inline Pose2 stepped(const Pose2& pose, const Eigen::Vector3d& step) {
   return {Point(pose.position() + step.head<2>()), pose.heading_rad() + step.z()};
 }
 
+/// A step of Gauss-Newton, no longer than the linear model holds.
+inline Eigen::Vector3d limited(const Eigen::Vector3d& step) {
+  constexpr double kLongest_m = 0.4, kWidest_rad = 0.15;
+  const double share = std::min(1.0, kLongest_m / step.head<2>().norm());
+  return {share * step.x(), share * step.y(), std::clamp(step.z(), -kWidest_rad, kWidest_rad)};
+}
+
 /// How far off odometry may be after a step, in position [m] and heading [rad].
 inline Eigen::Vector2d odometry_window(double step_m, double turn_rad) {
   // Wheels that slip or are not as large as said: a share of what was driven and turned, and heading is lost by

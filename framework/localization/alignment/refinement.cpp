@@ -80,14 +80,10 @@ Alignment align_with_map(const MapView& map, std::span<const ObservedScan> scans
     aligned.by_points = equations.H;
     equations.H.diagonal() += prior + Eigen::Vector3d(1e-3, 1e-3, 1e-2);
     equations.g += prior.cwiseProduct(step_between(guess, pose));
-    Eigen::Vector3d step = -equations.H.ldlt().solve(equations.g);
-    constexpr double kLongest_m = 0.4, kWidest_rad = 0.15;
-    const double length = step.head<2>().norm();
-    if (!std::isfinite(length)) break;
-    if (length > kLongest_m) step.head<2>() *= kLongest_m / length;
-    step.z() = std::clamp(step.z(), -kWidest_rad, kWidest_rad);
+    const Eigen::Vector3d step = limited(-equations.H.ldlt().solve(equations.g));
+    if (!step.allFinite()) break;
     pose = stepped(pose, step);
-    if (length < 0.003 && std::abs(step.z()) < 0.0007) break;
+    if (step.head<2>().norm() < 0.003 && std::abs(step.z()) < 0.0007) break;
   }
   return aligned;
 }
