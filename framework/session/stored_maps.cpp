@@ -6,11 +6,11 @@
 #include <opal/common/error.hpp>
 
 #include <fmt/format.h>
+#include <spdlog/spdlog.h>
 
 #include <cmath>
 #include <cstdlib>
 #include <ctime>
-#include <iostream>
 
 namespace opal::session {
 namespace {
@@ -45,7 +45,7 @@ void keep(const MapCache& cache, const std::string& where, const opal::StoreSour
   try {
     cache.keep(where, source, map);
   } catch (const opal::Error& error) {
-    std::cerr << "opal: the map is not kept for times without its store: " << error.what() << '\n';
+    spdlog::warn("opal: the map is not kept for times without its store: {}", error.what());
   }
 }
 
@@ -53,16 +53,16 @@ opal::StoredMap pull_or_find(const opal::MapStore& store, const MapCache& cache,
   try {
     opal::StoredMap pulled = store.pull(source.building, source.version);
     keep(cache, store.where(), source, pulled);
-    std::cerr << "map: " << described(pulled.version) << ", from " << store.where() << '\n';
+    spdlog::info("map: {}, from {}", described(pulled.version), store.where());
     return pulled;
   } catch (const opal::StoreUnreachable& error) {
     const auto kept = cache.find(store.where(), source);
     if (!kept)
       throw opal::StoreUnreachable(std::string(error.what()) + "; and " + opal::text_of(source) +
                                    " was never kept from it on this machine");
-    std::cerr << "opal: the map store cannot be reached: " << error.what() << "\nmap: " << described(kept->map.version)
-              << ", as pulled " << age_of(kept->pulled_at) << " (" << kept->pulled_at << "), from " << kept->file
-              << '\n';
+    spdlog::warn("opal: the map store cannot be reached: {}", error.what());
+    spdlog::info("map: {}, as pulled {} ({}), from {}", described(kept->map.version), age_of(kept->pulled_at),
+                 kept->pulled_at, kept->file);
     return kept->map;
   }
 }

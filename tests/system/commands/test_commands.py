@@ -1,7 +1,9 @@
 """What the commands print first, and that options, names and documents reach them. OPAL_PROGRAM is the program."""
 
 import json
+import os
 import pathlib
+import subprocess
 
 from program_in_folder import DEMO, LOG, MAP, ROOT, InFolder
 
@@ -20,6 +22,15 @@ class Commands(InFolder):
 class DidItWork(Commands):
     def test_localize_says_first_when_and_after_how_many_metres_it_was_localized(self):
         self.assertRegex(self.localize().splitlines()[0], r"^localized after \d+\.\d m and \d+\.\d s$")
+
+    def test_a_plugin_that_fails_is_told_on_stderr_and_results_stand_alone(self):
+        scorers = [{"@type": "opal:Beams"}, {"@type": "faulty:Scorer", "options": {"how": "throw"}}]
+        file = self.deployment(scorers=scorers, **{"@context": ["urn:opal:v1", {"faulty": "https://faulty.example/#"}]})
+        done = subprocess.run([os.environ["OPAL_PROGRAM"], "localize", file, LOG, "--map", MAP, "--info", f"{DEMO}.info.json"],
+                              cwd=self.folder, text=True, capture_output=True,
+                              env={**os.environ, "OPAL_PLUGIN_PATH": os.environ["OPAL_FAULTY_PLUGINS"]})
+        self.assertIn("faulty:Scorer: skipped: not today\n", done.stderr)
+        self.assertRegex(done.stdout.splitlines()[0], r"^(localized after|never localized in) ")
 
     def test_localize_has_one_line_for_every_query(self):
         lines = self.localize("--queries", f"{DEMO}.queries.json", "--truth", f"{DEMO}.gt.csv").splitlines()
