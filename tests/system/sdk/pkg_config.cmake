@@ -13,7 +13,7 @@ else()
   list(APPEND sanitizers -Wl,--no-undefined)
 endif()
 file(GLOB sources ${outside_source}/*.cpp)
-run("compiling the plugin" ${compiler} -O1 -shared -fPIC -fvisibility=hidden ${sources} ${flags} ${sanitizers}
+run("compiling the plugin" ${compiler} -O1 -shared -fPIC -fvisibility=hidden -fvisibility-inlines-hidden ${sources} ${flags} ${sanitizers}
     -o ${work_folder}/likelihood_field.so)
 configure_file(${outside_source}/plugin.jsonld ${work_folder}/likelihood_field.jsonld COPYONLY)
 run("checking the plugin" ${opal} plugins --check ${work_folder}/likelihood_field.so)

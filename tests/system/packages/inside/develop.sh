@@ -15,7 +15,7 @@ build_a_plugin_with_cmake() {
 build_a_plugin_with_pkg_config() {
   cd "$(mktemp -d)"
   cp $share/docs/examples/outside_scorer/* .
-  g++ -O2 -shared -fPIC -fvisibility=hidden scorer.cpp plugin.cpp $(pkg-config --cflags --libs opal) -Wl,--no-undefined -o likelihood_field.so
+  g++ -O2 -shared -fPIC -fvisibility=hidden -fvisibility-inlines-hidden scorer.cpp plugin.cpp $(pkg-config --cflags --libs opal) -Wl,--no-undefined -o likelihood_field.so
   cp plugin.jsonld likelihood_field.jsonld
   opal plugins --check likelihood_field.so
   expect "pkg-config names another folder of plugins" test "$(realpath "$(pkg-config --variable=plugindir opal)")" = "$plugins"
