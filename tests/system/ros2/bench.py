@@ -16,7 +16,7 @@ PROGRAM = os.environ["OPAL_PROGRAM"]
 ROBOT = os.environ["OPAL_FASTDDS_ROBOT"]
 EPOCH_S = 1_700_000_000  # what the robot adds to the stamps of a log
 SCANS = 37  # of the demo's recording
-PATIENCE_S = 60
+PATIENCE_S = 60 * int(os.environ.get("OPAL_SLOWER", "1"))  # times as slow: under a sanitizer
 # What the log calls it, frame, topic, kind, first angle, increment, range_max, sweep; mount: x, y, heading.
 PLANAR = "FLASER,laser,/scan,scan,-1.5707963268,0.0087266462600,81,0,0.78,0,0"
 LIDAR = PLANAR.replace("/scan,scan", "/points,cloud").replace(",laser,", ",lidar,")
