@@ -1,38 +1,20 @@
 import { dartPath, geometryPath, label } from './brush.js';
 import { anchorOf } from './geometry.js';
 import { kMark } from './marks.js';
+import { dotScan, fillFreeSpace } from './placed_layers.js';
 import { shortName } from './words_of.js';
 
 /// The layers of the local map, in painting order; painter as in placed_layers.js. Frame: local.
 
-const kScanDot_px = 2,
-  kMostPoses = 120,
+const kMostPoses = 120,
   kIdWidth_px = 26,
   kIdHeight_px = 14;
 /// What was looked up in a search stays on show this long [s].
 const kAfterglow_s = 1;
 
-function placeOf(xy, k, T, c, s, out) {
-  out[0] = T[0] + c * xy[k] - s * xy[k + 1];
-  out[1] = T[1] + s * xy[k] + c * xy[k + 1];
-}
-
-export function paintFreeSpace({ context, view, palette, marks, scene }) {
-  const { free } = scene.recording,
-    T = scene.recording.localPose(scene.frame),
-    out = [0, 0];
-  const c = Math.cos(T[2]),
-    s = Math.sin(T[2]);
-  context.beginPath();
-  for (let k = free.begin(scene.frame); k < free.end(scene.frame); k += 2) {
-    placeOf(free.xy.values, k, T, c, s, out);
-    context.lineTo(view.x(out[0]), view.y(out[1]));
-    marks.add(kMark.free_space, -1, out[0], out[1]);
-  }
-  context.closePath();
-  context.fillStyle = palette.free;
-  context.globalAlpha = 0.14;
-  context.fill();
+export function paintFreeSpace(painter) {
+  const { context, palette, scene } = painter;
+  fillFreeSpace(painter, scene.recording.localPose(scene.frame), -1, 0.14);
   context.globalAlpha = 0.55;
   context.strokeStyle = palette.free;
   context.lineWidth = 1;
@@ -40,18 +22,8 @@ export function paintFreeSpace({ context, view, palette, marks, scene }) {
   context.globalAlpha = 1;
 }
 
-export function paintScan({ context, view, palette, marks, scene }) {
-  const { scan } = scene.recording,
-    T = scene.recording.localPose(scene.frame),
-    out = [0, 0];
-  const c = Math.cos(T[2]),
-    s = Math.sin(T[2]);
-  context.fillStyle = palette.scan;
-  for (let k = scan.begin(scene.frame); k < scan.end(scene.frame); k += 2) {
-    placeOf(scan.xy.values, k, T, c, s, out);
-    context.fillRect(view.x(out[0]) - kScanDot_px / 2, view.y(out[1]) - kScanDot_px / 2, kScanDot_px, kScanDot_px);
-    marks.add(kMark.scan, -1, out[0], out[1]);
-  }
+export function paintScan(painter) {
+  dotScan(painter, painter.scene.recording.localPose(painter.scene.frame), -1);
 }
 
 /// Where the robot was at the updates before.

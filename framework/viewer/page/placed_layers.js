@@ -10,43 +10,46 @@ const kScanDot_px = 2,
   kMatched_px = 7,
   kLocalFeature_px = 2.2;
 
-export function paintFreeSpace({ context, view, palette, marks, scene }) {
-  const { free } = scene.recording,
-    T = scene.T_map_base;
-  const begin = free.begin(scene.frame),
-    end = free.end(scene.frame);
-  if (!T || end - begin < 6) return;
+/// What the sensor saw at a moment, from the pose T in the frame of the pane; `id`: of the hypothesis that places it, or -1.
+function eachPlaced(points, frame, T, visit) {
   const c = Math.cos(T[2]),
     s = Math.sin(T[2]),
-    xy = free.xy.values;
+    xy = points.xy.values;
+  for (let k = points.begin(frame), end = points.end(frame); k < end; k += 2)
+    visit(T[0] + c * xy[k] - s * xy[k + 1], T[1] + s * xy[k] + c * xy[k + 1]);
+}
+
+export function fillFreeSpace({ context, view, palette, marks, scene }, T, id, opacity) {
   context.beginPath();
-  for (let k = begin; k < end; k += 2) {
-    const x = T[0] + c * xy[k] - s * xy[k + 1],
-      y = T[1] + s * xy[k] + c * xy[k + 1];
+  eachPlaced(scene.recording.free, scene.frame, T, (x, y) => {
     context.lineTo(view.x(x), view.y(y));
-    marks.add(kMark.free_space, scene.shown, x, y);
-  }
+    marks.add(kMark.free_space, id, x, y);
+  });
   context.closePath();
   context.fillStyle = palette.free;
-  context.globalAlpha = 0.15;
+  context.globalAlpha = opacity;
   context.fill();
   context.globalAlpha = 1;
 }
 
-export function paintScan({ context, view, palette, marks, scene }) {
-  const { scan } = scene.recording,
-    T = scene.T_map_base;
-  if (!T) return;
-  const c = Math.cos(T[2]),
-    s = Math.sin(T[2]),
-    xy = scan.xy.values;
+export function dotScan({ context, view, palette, marks, scene }, T, id) {
   context.fillStyle = palette.scan;
-  for (let k = scan.begin(scene.frame), end = scan.end(scene.frame); k < end; k += 2) {
-    const x = T[0] + c * xy[k] - s * xy[k + 1],
-      y = T[1] + s * xy[k] + c * xy[k + 1];
+  eachPlaced(scene.recording.scan, scene.frame, T, (x, y) => {
     context.fillRect(view.x(x) - kScanDot_px / 2, view.y(y) - kScanDot_px / 2, kScanDot_px, kScanDot_px);
-    marks.add(kMark.scan, scene.shown, x, y);
-  }
+    marks.add(kMark.scan, id, x, y);
+  });
+}
+
+export function paintFreeSpace(painter) {
+  const { scene } = painter,
+    { free } = scene.recording;
+  if (scene.T_map_base && free.end(scene.frame) - free.begin(scene.frame) >= 6)
+    fillFreeSpace(painter, scene.T_map_base, scene.shown, 0.15);
+}
+
+export function paintScan(painter) {
+  const { T_map_base, shown } = painter.scene;
+  if (T_map_base) dotScan(painter, T_map_base, shown);
 }
 
 export function paintLocalFeatures({ context, view, palette, marks, scene }) {
