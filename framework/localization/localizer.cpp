@@ -41,7 +41,7 @@ struct Localizer::State {
         global_search(parts.map, parts.patterns, ensemble, parts.stages.search),
         journal(sink ? *sink : nobody, parts.map, ensemble, global_search),
         retrospective(parts.map, ensemble, parts.stages.verification, parts.stages.tracking.evidence_memory,
-                      parts.stages.status.localized_lead),
+                      parts.stages.status.lead()),
         hypotheses(parts.map, ensemble, parts.stages, journal),
         kidnapping(parts.stages.kidnapping, parts.stages.tracking.evidence_memory),
         rides(parts.map, parts.stages.rides),

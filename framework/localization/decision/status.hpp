@@ -73,7 +73,7 @@ class OPAL_EXPORT StatusEstimator {
   void gather(const Live& best, const PoseEstimate& estimate, const Circumstances& now, bool same);
   /// @return for how many pieces of new evidence the required probability has to hold.
   double weight_asked(double unmapped_walls_m) const;
-  double lead_asked_nat() const { return options_.localized_lead * lead_.own_nat; }
+  double lead_asked_nat() const { return options_.lead().nat(lead_.own_nat); }
   void reckon_with(double kidnapped, PoseEstimate& estimate);
   /// The required probability has held for so long, and no longer.
   std::string why_held(double asked, double unmapped_walls_m) const;

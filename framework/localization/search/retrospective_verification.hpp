@@ -16,9 +16,9 @@ namespace opal {
 class OPAL_EXPORT RetrospectiveVerification {
  public:
   /// @param evidence_memory  as TrackingOptions.
-  /// @param lead  as StatusOptions::localized_lead: who is within it is not hopeless.
+  /// @param lead  that the status asks for: who is within it is not hopeless.
   RetrospectiveVerification(std::shared_ptr<const MapView> map, const ScorerEnsemble& ensemble,
-                            const VerificationOptions& options, double evidence_memory, double lead = 0)
+                            const VerificationOptions& options, double evidence_memory, const AskedLead& lead = {})
       : map_(std::move(map)), ensemble_(ensemble), options_(options), evidence_memory_(evidence_memory), lead_(lead) {}
 
   /// Keeps an observation once the newest ones add up to a whole new piece of evidence.
@@ -87,7 +87,7 @@ class OPAL_EXPORT RetrospectiveVerification {
   const ScorerEnsemble& ensemble_;
   VerificationOptions options_;
   double evidence_memory_;
-  double lead_;
+  AskedLead lead_;
   std::deque<PastScan> scans_;  ///< newest first
   double pending_ = 0;          ///< tempering_weight since the newest
   std::optional<Takeover> kidnapping_;

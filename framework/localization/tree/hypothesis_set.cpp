@@ -51,7 +51,7 @@ HypothesisSet::HypothesisSet(std::shared_ptr<const MapView> map, const ScorerEns
       tracking_(options.tracking),
       growth_(options.growth),
       options_(options.hypotheses),
-      lead_(options.status.localized_lead),
+      lead_(options.status.lead()),
       listener_(listener),
       comparison_(map_, options.hypotheses.compared_places, options.tracking.evidence_memory) {}
 
@@ -276,7 +276,7 @@ void HypothesisSet::prune() {
   if (alive_.empty()) return;
   const double best = alive_.front().hypothesis.log_likelihood;
   // The status asks about those within that lead.
-  const double most_behind = std::max(options_.prune_nat, lead_ * best);
+  const double most_behind = std::max(options_.prune_nat, lead_.nat(best));
   for (std::size_t k = 0; k < alive_.size(); ++k) {
     Live& live = alive_[k];
     const double behind = best - live.hypothesis.log_likelihood;

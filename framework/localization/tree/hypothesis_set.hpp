@@ -173,7 +173,7 @@ class OPAL_EXPORT HypothesisSet {
   TrackingOptions tracking_;
   GrowthOptions growth_;
   HypothesesOptions options_;
-  double lead_;  ///< as StatusOptions::localized_lead
+  AskedLead lead_;  ///< by the status
   HypothesisListener& listener_;
   PlaceComparison comparison_;
   AssociationTree tree_;

@@ -260,6 +260,9 @@ TEST_CASE("a place has to lead over every other place by a share of its evidence
         "be 9.0 less");
   CHECK(after(60, 50.9, {}).first.status == Status::localized);
   CHECK(after(20, 15, {}).first.status == Status::localized);
+  const double most_nat = StatusOptions{}.localized_lead_nat;
+  CHECK(after(200, 200 - most_nat - 0.1, {}).first.status == Status::localized);
+  CHECK(after(200, 200 - most_nat + 0.1, {}).first.status == Status::ambiguous);
   StatusOptions none;
   none.localized_lead = 0;
   CHECK(after(60, 55, none).first.status == Status::localized);

@@ -2,6 +2,8 @@
 
 #include <opal/common/geometry.hpp>
 
+#include <algorithm>
+#include <limits>
 #include <optional>
 
 // Options of the localizer's stages, in pipeline order. Defaults are the best known; configs/thesis3.jsonld sets those
@@ -95,6 +97,14 @@ struct HypothesesOptions {
   int compared_places = 4;   ///< so many of the best are compared with each other by the beams that tell them apart
 };
 
+/// The lead that one place must have over another one, in evidence.
+struct AskedLead {
+  double share = 0;  ///< of its own evidence
+  double most_nat = std::numeric_limits<double>::infinity();
+
+  double nat(double evidence_nat) const { return std::min(share * evidence_nat, most_nat); }
+};
+
 /// Status: when the best hypothesis is called localized, when lost.
 struct StatusOptions {
   /// What a scan at a place that is not on the map says for a wrong pose: hypotheses must gather more to be believed
@@ -119,6 +129,9 @@ struct StatusOptions {
   /// Share of its evidence by which the best place must lead over any other place. Where two places look alike, what
   /// errors of the map and of the model add up to decides.
   double localized_lead = 0.15;
+  /// Most that this lead must be, however much evidence there is [nat]. Storeys that are alike have most of it in
+  /// common.
+  double localized_lead_nat = 12;
   /// Most tempering weight that is required, whatever is missing; `localized_weight` if that is more.
   double localized_most_weight = 20;
   /// How far off a pose may be that is localized: three standard deviations [m].
@@ -127,6 +140,8 @@ struct StatusOptions {
   double localized_within_rad = 0.175;
   /// Mean score of the newest scans below which a robot that was localized is lost [nat].
   double lost_scan_nat = -0.2;
+
+  AskedLead lead() const { return {localized_lead, localized_lead_nat}; }
 };
 
 /// Kidnap detection.
