@@ -4,6 +4,8 @@
 #include "patterns/pattern_cache.hpp"
 #include "patterns/pattern_layer.hpp"
 
+#include <opal/common/error.hpp>
+
 namespace opal {
 namespace {
 
