@@ -116,3 +116,12 @@ TEST_CASE("a range that begins to repeat after a long drive is noticed, and one 
   for (int k = 0; k < RangeHabits::kScans; ++k) habits.add(beams(1, 8.5));
   CHECK_FALSE(habits.repeated_farthest());
 }
+
+TEST_CASE("so many of the newest scans are looked at, and no more") {
+  RangeHabits habits;
+  for (int k = 0; k < RangeHabits::kScans; ++k) habits.add(beams(0, 0, 50));
+  CHECK(habits.scans() == RangeHabits::kScans);
+  habits.add(beams(0, 0, 100));
+  CHECK(habits.scans() == RangeHabits::kScans);
+  CHECK(habits.usable_share() == Approx(0.5 + 0.5 / RangeHabits::kScans));
+}

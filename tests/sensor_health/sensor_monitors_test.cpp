@@ -122,3 +122,24 @@ TEST_CASE("wheels that slip are told beside what the lasers tell, and contradict
   CHECK(monitors.findings()[0].subject == SensorFinding::Subject::odometry_distance);
   CHECK(monitors.contradiction().empty());
 }
+
+TEST_CASE("a scan that began before the robot turned is held against odometry as it was then, wherever the laser is") {
+  for (const Pose2& mount : {Pose2(), Pose2(0.3, 0.1, 0.5)}) {
+    LaserModel laser;
+    laser.T_base_laser = mount;
+    SensorMonitors monitors({laser}, nullptr);
+    for (int k = 0; k < 4; ++k) {
+      Sample sample = sample_of(round_scan(100 + 1.1 * k, 2 + k), Pose2());
+      sample.views[0].T_base_laser = Pose2(0, 0, -0.1 * k) * mount;
+      monitors.add(sample);
+    }
+    CHECK_FALSE(monitors.is_odometry_frozen());
+  }
+}
+
+TEST_CASE("odometry is not called frozen for another contradiction") {
+  SensorMonitors monitors({LaserModel()}, nullptr);
+  look_about(monitors, 30, 0.2);
+  REQUIRE_FALSE(monitors.contradiction().empty());
+  CHECK_FALSE(monitors.is_odometry_frozen());
+}

@@ -191,3 +191,12 @@ TEST_CASE("the covariance of a line is that of its offset at the middle between 
   CHECK(covariance(0, 0) == Approx(fitted.offset_variance_m2 + off_m * off_m * fitted.heading_variance_rad2));
   CHECK(covariance(0, 1) == Approx(off_m * fitted.heading_variance_rad2));
 }
+
+TEST_CASE("a point that is three standard deviations off counts half, a point on the line in full") {
+  std::vector<Point> points;
+  for (int i = -20; i <= 20; ++i) points.push_back({1000, 0.1 * i});
+  for (const double off_m : {0.06, -0.06})
+    for (const double at_m : {-1.0, 1.0}) points.insert(points.begin() + 20, {1000 + off_m, at_m});
+  const LineFit line = fit(points, {.range_sigma_m = 0.02, .bearing_sigma_rad = 0, .surface_sigma_m = 0});
+  CHECK(line.offset_variance_m2 == Approx(0.0004 / (41 + 4 * 0.5)).epsilon(1e-3));
+}
