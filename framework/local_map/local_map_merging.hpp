@@ -12,8 +12,8 @@ const Keyframe& keyframe_of(const std::deque<Keyframe>& keyframes, KeyframeId id
 
 /// The feature that its measurements describe from the present poses of their keyframes, in frame `local`: the
 /// weighted mean of points, corners and circles; for segments the line through all pieces, as long as they reach.
-Feature estimate(const std::vector<Measurement>& measurements, const std::deque<Keyframe>& keyframes,
-                 const LocalMapOptions& options);
+OPAL_EXPORT Feature estimate(const std::vector<Measurement>& measurements, const std::deque<Keyframe>& keyframes,
+                             const LocalMapOptions& options);
 
 /// Brings feature, distinct_poses, stable and last_keyframe in line with the measurements, which must not be empty.
 void refresh(LocalFeature& local, const std::deque<Keyframe>& keyframes, const LocalMapOptions& options);
