@@ -18,17 +18,27 @@ struct Heard : EventSink {
       if (event["event"] == kind) some.push_back(event);
     return some;
   }
-  /// Without what it cost, and without numbers: they go on after a reset.
+  /// All of it, without what it cost, and without numbers of things: they go on after a reset.
   std::vector<std::string> said() const {
     std::vector<std::string> lines;
-    for (const ordered_json& event : all) {
-      std::string line = event["event"];
-      for (const char* member :
-           {"stamp_s", "status", "probability", "T_map_base", "T_local_base", "local_features", "findings"})
-        if (event.contains(member)) line += " " + event[member].dump();
-      if (event["event"] != "cost") lines.push_back(line);
+    for (ordered_json event : all) {
+      if (event["event"] == "cost") continue;
+      drop_numbers(event);
+      lines.push_back(event.dump());
     }
     return lines;
+  }
+
+ private:
+  static void drop_numbers(ordered_json& json) {
+    if (json.is_object())
+      for (const char* member :
+           {"keyframe", "hypothesis", "parent", "merged_into", "local_feature", "pairs", "id", "gone", "reason"})
+        json.erase(member);
+    if (json.is_object() && json.contains("local_features") && json["local_features"].is_array())
+      json.erase("local_features");  // else it is how many there are
+    for (ordered_json& inner : json)
+      if (inner.is_structured()) drop_numbers(inner);
   }
 };
 

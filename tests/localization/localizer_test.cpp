@@ -5,6 +5,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <ctime>
 #include <set>
 
 using namespace opal;
@@ -63,6 +64,17 @@ TEST_CASE("each update writes what it cost, stage by stage") {
       sum_ms += cost["cpu_ms"].at(stage).get<double>();
     CHECK(cost["cpu_ms"].at("total").get<double>() == Approx(sum_ms).margin(0.01));
   }
+}
+
+TEST_CASE("all updates together are said to cost no more than they did") {
+  Driven robot;
+  const std::clock_t before = std::clock();
+  robot.drive_on(20);
+  const double spent_ms = 1e3 * static_cast<double>(std::clock() - before) / CLOCKS_PER_SEC;
+  double said_ms = 0;
+  for (const ordered_json& cost : robot.heard.of("cost")) said_ms += cost["cpu_ms"].at("total").get<double>();
+  CHECK(said_ms > 0);
+  CHECK(said_ms <= spent_ms + 0.1);
 }
 
 TEST_CASE("a status is written when it changes, and not before it changes again") {

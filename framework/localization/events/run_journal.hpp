@@ -12,7 +12,7 @@
 namespace opal {
 
 /// Writes the event stream of a localizer (docs/events.md). Where nobody listens, every call returns at once.
-class RunJournal final : public HypothesisListener {
+class OPAL_EXPORT RunJournal final : public HypothesisListener {
  public:
   RunJournal(EventSink& events, std::shared_ptr<const MapView> map, const ScorerEnsemble& ensemble,
              const GlobalSearch& search)

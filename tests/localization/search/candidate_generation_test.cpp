@@ -1,5 +1,6 @@
 #include "localization/search/candidate_generation.hpp"
 
+#include "common/random.hpp"
 #include "tests/localization/synthetic_scene.hpp"
 
 #include <catch2/catch.hpp>
@@ -57,4 +58,23 @@ TEST_CASE("patterns are looked up as long as they promise no more places than ar
   CHECK(looked_up(2, 3).size() == 2);
   CHECK(looked_up(8, 1).size() == 1);
   CHECK(looked_up(8, 2000).size() == 8);
+}
+
+TEST_CASE("places are kept as by a comparison of each with all that are kept, the first ones first") {
+  Random random(7);
+  std::vector<Pose2> poses;
+  for (int k = 0; k < 400; ++k)
+    poses.emplace_back(random.uniform(-3, 3), random.uniform(-3, 3), random.uniform(-0.5, 0.5));
+  const PlaceTolerance apart{0.5, 0.3};
+  std::vector<std::size_t> expected;
+  for (std::size_t k = 0; k < poses.size(); ++k)
+    if (std::none_of(expected.begin(), expected.end(),
+                     [&](std::size_t kept) { return apart.same(poses[kept], poses[k]); }))
+      expected.push_back(k);
+  REQUIRE(expected.size() > 50);
+  CHECK(distinct_places(poses, apart, 1000) == expected);
+  CHECK(distinct_places(poses, apart, expected.size()) == expected);
+  expected.resize(10);
+  CHECK(distinct_places(poses, apart, 10) == expected);
+  CHECK(distinct_places(poses, apart, 0).empty());
 }
