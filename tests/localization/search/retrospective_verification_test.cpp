@@ -129,7 +129,7 @@ TEST_CASE("a wrong pose is told to be hopeless before all scans are looked at") 
 }
 
 TEST_CASE("who is within the lead that the status asks for is not hopeless, however much evidence there is") {
-  const auto verdict = [](double lead) {
+  const auto verdict = [](const AskedLead& lead) {
     const std::shared_ptr<const MapView> map = view_of(room());
     Judges judges(map, {{"constant", constant_scorer(9), ScorerRole::decides, 1}});
     RetrospectiveVerification past(map, judges.ensemble, verification_options(), 1, lead);
@@ -137,9 +137,10 @@ TEST_CASE("who is within the lead that the status asks for is not hopeless, howe
     for (int k = 0; k < 10; ++k) past.remember(robot.observation(), KeyframeId(k), 1, 10);
     return past.verify(robot.truth(), robot.local_map());
   };
-  CHECK(verdict(0).hopeless);  // 10 nat less of 100
-  CHECK(verdict(0.05).hopeless);
-  CHECK_FALSE(verdict(0.2).hopeless);
+  CHECK(verdict({}).hopeless);  // 10 nat less of 100
+  CHECK(verdict({.share = 0.05}).hopeless);
+  CHECK_FALSE(verdict({.share = 0.2}).hopeless);
+  CHECK(verdict({.share = 0.2, .most_nat = 9}).hopeless);
 }
 
 TEST_CASE("who keeps up with the best of the time is not hopeless, however little that was") {
