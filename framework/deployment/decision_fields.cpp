@@ -29,9 +29,7 @@ const StageFields<StatusOptions>& fields_of(const StatusOptions&) {
        "Share of beams that end on mapped surfaces below which no evidence is enough: the map is of another place."},
       {"localized_lead", &O::localized_lead, "", 0, 1,
        "Share of its own evidence by which the best place must lead over every other place. 0: any lead is enough."},
-      {"localized_lead_nat", &O::localized_lead_nat, "nat", 0, kUnlimited,
-       "Most that this lead must be, however much evidence there is. Storeys that are alike have most of it in "
-       "common."},
+      {"localized_lead_nat", &O::localized_lead_nat, "nat", 0, kUnlimited, "Most that this lead must ever be."},
       {"localized_most_weight", &O::localized_most_weight, "", 0, kUnlimited,
        "Most tempering weight that is ever asked for, whatever the map lacks. localized_weight, if that is more."},
       {"localized_within_m", &O::localized_within_m, "m", 0, kUnlimited,

@@ -202,21 +202,11 @@ TEST_CASE("who is worse than the best by more than the limit ends, and nobody el
 TEST_CASE("who is within the lead that the status asks for stays, however much evidence there is") {
   LocalizerOptions options;
   options.status.localized_lead = 0.2;
-  options.status.localized_lead_nat = 1000;
+  options.status.localized_lead_nat = GENERATE(1000, 15);
   Line line(options);
-  const double best_nat = 100, lead_nat = 0.2 * (best_nat + kSpawn_nat);
+  const double best_nat = 100, lead_nat = options.status.lead().nat(best_nat + kSpawn_nat);
   line.nat_at = [&](double x_m) { return best_nat - x_m; };
   line.spawn({0, lead_nat - 0.5, lead_nat + 0.5});
-  CHECK(ids_of(line.set.alive()) == ids({0, 1}));
-}
-
-TEST_CASE("the lead that is asked for has a limit: who is farther behind ends") {
-  LocalizerOptions options;
-  options.status.localized_lead = 0.2;
-  options.status.localized_lead_nat = 15;
-  Line line(options);
-  line.nat_at = [](double x_m) { return 100 - x_m; };
-  line.spawn({0, 14.5, 15.5});
   CHECK(ids_of(line.set.alive()) == ids({0, 1}));
 }
 

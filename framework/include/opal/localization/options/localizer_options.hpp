@@ -99,9 +99,10 @@ struct HypothesesOptions {
 
 /// The lead that one place must have over another one, in evidence.
 struct AskedLead {
-  double share = 0;  ///< of its own evidence
-  double most_nat = std::numeric_limits<double>::infinity();
+  double share = 0;                                           ///< of its own evidence
+  double most_nat = std::numeric_limits<double>::infinity();  ///< however much that is
 
+  /// @param evidence_nat  of the place that must lead.
   double nat(double evidence_nat) const { return std::min(share * evidence_nat, most_nat); }
 };
 
@@ -141,6 +142,7 @@ struct StatusOptions {
   /// Mean score of the newest scans below which a robot that was localized is lost [nat].
   double lost_scan_nat = -0.2;
 
+  /// By which the best place must lead over any other place.
   AskedLead lead() const { return {localized_lead, localized_lead_nat}; }
 };
 
