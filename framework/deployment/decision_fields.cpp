@@ -17,19 +17,19 @@ const StageFields<StatusOptions>& fields_of(const StatusOptions&) {
        "Further tempering weight that is asked for per metre of straight wall that is seen and not on the map, beyond "
        "localized_unmapped_m."},
       {"localized_unmapped_m", &O::localized_unmapped_m, "m", 0, kUnlimited,
-       "Length of straight walls around the robot that may be missing on the map without further evidence being asked "
-       "for."},
+       "Length of straight walls around the robot that may be missing on the map without further evidence."},
       {"localized_agreement", &O::localized_agreement, "", 0, 1,
        "Share of beams that end on mapped surfaces, of all that end on them or pass through them. Below this share, "
        "further evidence is asked for."},
       {"localized_weight_per_share", &O::localized_weight_per_share, "", 0, kUnlimited,
-       "Further tempering weight that is asked for per unit by which the share of beams that end on mapped surfaces is "
-       "below localized_agreement."},
+       "Further tempering weight that is asked for per unit by which the share of beams that end on mapped surfaces "
+       "is below localized_agreement."},
       {"localized_least_agreement", &O::localized_least_agreement, "", 0, 1,
        "Share of beams that end on mapped surfaces below which no evidence is enough: the map is of another place."},
       {"localized_lead", &O::localized_lead, "", 0, 1,
        "Share of its own evidence by which the best place must lead over every other place. 0: any lead is enough."},
-      {"localized_lead_nat", &O::localized_lead_nat, "nat", 0, kUnlimited, "Most that this lead must ever be."},
+      {"localized_lead_nat", &O::localized_lead_nat, "nat", 0, kUnlimited,
+       "Most that the best place must ever lead over another place, however much evidence it has."},
       {"localized_most_weight", &O::localized_most_weight, "", 0, kUnlimited,
        "Most tempering weight that is ever asked for, whatever the map lacks. localized_weight, if that is more."},
       {"localized_within_m", &O::localized_within_m, "m", 0, kUnlimited,

@@ -56,12 +56,11 @@ const StageFields<TrackingOptions>& fields_of(const TrackingOptions&) {
        "How firmly a hypothesis stays at the position that dead reckoning gives when a scan is aligned to the map. It "
        "is a weight against that of each point of the scan. 0: the scan alone decides."},
       {"prior_heading", &O::prior_heading, "", 0, kUnlimited,
-       "How firmly a hypothesis keeps the heading that dead reckoning gives when a scan is aligned to the map. It is a "
-       "weight against that of each point of the scan. 0: the scan alone decides."},
+       "How firmly a hypothesis keeps the heading that dead reckoning gives when a scan is aligned to the map. It is "
+       "a weight against that of each point of the scan. 0: the scan alone decides."},
       {"pose_memory", &O::pose_memory, "", 0, 1,
        "Share of what earlier scans tell about the pose that is kept at each new scan that is a whole piece of "
-       "evidence. "
-       "0: the newest scan alone gives the pose."},
+       "evidence. 0: the newest scan alone gives the pose."},
   };
   return all;
 }

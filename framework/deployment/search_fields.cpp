@@ -28,18 +28,17 @@ const StageFields<SearchOptions>& fields_of(const SearchOptions&) {
        "Most observed patterns of each template that are looked up in the map per search. The best supported ones are "
        "taken."},
       {"lookup_limit", &O::lookup_limit, "", 1, kUnlimited,
-       "Most candidates per search that the patterns of one template give. The patterns that are rarest on the map are "
-       "taken first, at least one."},
+       "Most candidates per search that the patterns of one template give. The patterns that are rarest on the map "
+       "are taken first, at least one."},
       {"places", &O::places, "", 0, kUnlimited,
        "Most candidates per search that the patterns of all templates give together, rarest first. The three rarest "
-       "may "
-       "give five times as many. 0: any number."},
+       "may give five times as many. 0: any number."},
       {"places_per_scan", &O::places_per_scan, "", 0, kUnlimited,
-       "Most candidates that are looked at per scan. A search that has more goes on at the next scans, so the time per "
-       "scan does not grow with the building. 0: any number."},
+       "Most candidates that are looked at per scan. A search that has more goes on at the next scans, so the time "
+       "per scan does not grow with the building. 0: any number."},
       {"close_looks", &O::close_looks, "", 1, kUnlimited,
-       "First filter of candidates: so many go on, those where a few points of the scan lie best. They are then judged "
-       "by all points of a thinned scan."},
+       "First filter of candidates: so many go on, those where a few points of the scan lie best. They are then "
+       "judged by all points of a thinned scan."},
       {"candidates", &O::candidates, "", 1, kUnlimited,
        "Second filter of candidates: so many places go on, those with the best likelihood-field score. They are then "
        "aligned to the map and judged by the scorers."},
@@ -56,8 +55,7 @@ const StageFields<SearchOptions>& fields_of(const SearchOptions&) {
        "the robot is localized, they are also looked up where no other patterns are seen."},
       {"from_stable", &O::from_stable, "", 0, 0,
        "Patterns consist of stable features of the local map only, as in Hendrikx (2023). Otherwise they consist of "
-       "the "
-       "features of the newest scan."},
+       "the features of the newest scan."},
   };
   return all;
 }
@@ -69,8 +67,7 @@ const StageFields<VerificationOptions>& fields_of(const VerificationOptions&) {
        "Number of earlier scans that are kept, each a whole piece of evidence. They judge every candidate. 0: none."},
       {"behind_nat", &O::behind_nat, "nat", 0, kUnlimited,
        "A candidate is dropped if the earlier scans give it so much less evidence than they gave the best hypothesis "
-       "of "
-       "their time. localized_lead of the stage status may raise this limit."},
+       "of their time. localized_lead of the stage status may raise this limit."},
   };
   return all;
 }

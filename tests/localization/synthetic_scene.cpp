@@ -36,6 +36,12 @@ Features room() {
   return features;
 }
 
+Feature seen_wall(const Point& begin, const Point& end) {
+  Feature seen = wall(begin, end);
+  seen.support_m = (end - begin).norm();
+  return seen;
+}
+
 Features moved(const Pose2& motion, const Features& features) {
   Features all;
   for (const Feature& feature : features) all.push_back(transformed(motion, feature));

@@ -26,6 +26,8 @@ using Features = std::vector<Feature>;
 /// same.
 Features room();
 Features moved(const Pose2& motion, const Features& features);
+/// A wall as a detector has it that sees all of it.
+Feature seen_wall(const Point& begin, const Point& end);
 /// A map of these, in this order; a feature's number is its position. Perceived by "lidar".
 std::shared_ptr<const MapView> view_of(const Features& features);
 

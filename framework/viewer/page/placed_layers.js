@@ -10,7 +10,7 @@ const kScanDot_px = 2,
   kMatched_px = 7,
   kLocalFeature_px = 2.2;
 
-/// What the sensor saw at a moment, from the pose T in the frame of the pane; `id`: of the hypothesis that places it, or -1.
+/// Visits what the sensor saw at a moment, as it lies from the pose T; frame: of the pane.
 function eachPlaced(points, frame, T, visit) {
   const c = Math.cos(T[2]),
     s = Math.sin(T[2]),
@@ -19,6 +19,7 @@ function eachPlaced(points, frame, T, visit) {
     visit(T[0] + c * xy[k] - s * xy[k + 1], T[1] + s * xy[k] + c * xy[k + 1]);
 }
 
+/// The free space of a moment, placed by T. `id`: of the hypothesis whose pose T is, or -1.
 export function fillFreeSpace({ context, view, palette, marks, scene }, T, id, opacity) {
   context.beginPath();
   eachPlaced(scene.recording.free, scene.frame, T, (x, y) => {
@@ -32,6 +33,7 @@ export function fillFreeSpace({ context, view, palette, marks, scene }, T, id, o
   context.globalAlpha = 1;
 }
 
+/// The scan of a moment; T and id as in fillFreeSpace.
 export function dotScan({ context, view, palette, marks, scene }, T, id) {
   context.fillStyle = palette.scan;
   eachPlaced(scene.recording.scan, scene.frame, T, (x, y) => {

@@ -9,12 +9,6 @@ using namespace opal::synthetic;
 
 namespace {
 
-Feature wall(const Point& begin, const Point& end) {
-  Feature wall{"opal:Wall", Segment{begin, end}};
-  wall.support_m = (end - begin).norm();
-  return wall;
-}
-
 /// What a robot has seen of these walls from so many places; its local frame is the map's.
 double unmapped_m(const Features& seen, int places = 6, const Pose2& T_map_local = {}) {
   static const std::shared_ptr<const MapView> map = view_of(room());
@@ -31,28 +25,28 @@ double unmapped_m(const Features& seen, int places = 6, const Pose2& T_map_local
 }  // namespace
 
 TEST_CASE("a wall that the map has is not unmapped, wherever the local frame lies") {
-  CHECK(unmapped_m({wall({1, 0}, {6, 0})}) == 0);
-  CHECK(unmapped_m({wall({1, 0}, {6, 0})}, 6, Pose2(3, -2, 1)) == 0);
-  CHECK(unmapped_m({wall({1, 0.2}, {6, 0.2})}) == 0);  // it may be off by a little
+  CHECK(unmapped_m({seen_wall({1, 0}, {6, 0})}) == 0);
+  CHECK(unmapped_m({seen_wall({1, 0}, {6, 0})}, 6, Pose2(3, -2, 1)) == 0);
+  CHECK(unmapped_m({seen_wall({1, 0.2}, {6, 0.2})}) == 0);  // it may be off by a little
 }
 
 TEST_CASE("walls that the map lacks count in full, and add up") {
-  CHECK(unmapped_m({wall({4, 5}, {8, 5})}) == Approx(4));
-  CHECK(unmapped_m({wall({4, 5}, {8, 5}), wall({5, 1}, {5, 4})}) == Approx(7));
-  CHECK(unmapped_m({wall({4, 5}, {8, 5})}, 6, Pose2(3, -2, 1)) == Approx(4));
+  CHECK(unmapped_m({seen_wall({4, 5}, {8, 5})}) == Approx(4));
+  CHECK(unmapped_m({seen_wall({4, 5}, {8, 5}), seen_wall({5, 1}, {5, 4})}) == Approx(7));
+  CHECK(unmapped_m({seen_wall({4, 5}, {8, 5})}, 6, Pose2(3, -2, 1)) == Approx(4));
 }
 
 TEST_CASE("of a wall that the map has in part, the rest counts, whichever end it is") {
   // Beyond the corner at x = 10 a wall is within 0.3 m of the map for 0.3 m.
-  CHECK(unmapped_m({wall({8, 0}, {13, 0})}) == Approx(2.7).margin(0.11));
-  CHECK(unmapped_m({wall({13, 0}, {8, 0})}) == Approx(2.7).margin(0.11));
-  CHECK(unmapped_m({wall({7.45, 0}, {10.45, 0})}) == Approx(0.2).margin(0.11));
-  CHECK(unmapped_m({wall({10.45, 0}, {7.45, 0})}) == Approx(0.2).margin(0.11));
+  CHECK(unmapped_m({seen_wall({8, 0}, {13, 0})}) == Approx(2.7).margin(0.11));
+  CHECK(unmapped_m({seen_wall({13, 0}, {8, 0})}) == Approx(2.7).margin(0.11));
+  CHECK(unmapped_m({seen_wall({7.45, 0}, {10.45, 0})}) == Approx(0.2).margin(0.11));
+  CHECK(unmapped_m({seen_wall({10.45, 0}, {7.45, 0})}) == Approx(0.2).margin(0.11));
 }
 
 TEST_CASE("what is short, not seen often enough, or no wall says nothing of the map") {
-  CHECK(unmapped_m({wall({4, 5}, {6.4, 5})}) == 0);
-  CHECK(unmapped_m({wall({4, 5}, {6.6, 5})}) == Approx(2.6));
-  CHECK(unmapped_m({wall({4, 5}, {8, 5})}, 1) == 0);
+  CHECK(unmapped_m({seen_wall({4, 5}, {6.4, 5})}) == 0);
+  CHECK(unmapped_m({seen_wall({4, 5}, {6.6, 5})}) == Approx(2.6));
+  CHECK(unmapped_m({seen_wall({4, 5}, {8, 5})}, 1) == 0);
   CHECK(unmapped_m({{"opal:Column", Circle{{6, 5}, 0.4}}}) == 0);
 }

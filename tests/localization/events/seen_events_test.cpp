@@ -33,11 +33,6 @@ struct Watched {
 
 Feature column(double x_m) { return {"opal:Column", Circle{{x_m, 1}, 0.2}}; }
 Feature corner(double heading_rad) { return {"opal:Corner", OrientedPoint{{2, 1}, heading_rad, 1.5}}; }
-Feature wall(const Point& begin, const Point& end) {
-  Feature wall{"opal:Wall", Segment{begin, end}};
-  wall.support_m = (end - begin).norm();
-  return wall;
-}
 
 }  // namespace
 
@@ -124,9 +119,9 @@ TEST_CASE("a feature whose estimate moves or turns is written again, and one tha
                                               {column(2), column(2.1), true},
                                               {corner(0.5), corner(0.503), false},
                                               {corner(0.5), corner(0.6), true},
-                                              {wall({0, 2}, {3, 2}), wall({0, 2}, {3, 2}), false},
-                                              {wall({0, 2}, {3, 2}), wall({0, 2}, {3.2, 2}), true},
-                                              {wall({0, 2}, {3, 2}), wall({-0.2, 2}, {3, 2}), true}}));
+                                              {seen_wall({0, 2}, {3, 2}), seen_wall({0, 2}, {3, 2}), false},
+                                              {seen_wall({0, 2}, {3, 2}), seen_wall({0, 2}, {3.2, 2}), true},
+                                              {seen_wall({0, 2}, {3, 2}), seen_wall({-0.2, 2}, {3, 2}), true}}));
   Watched robot;
   robot.see({before}, Pose2());
   robot.see({before}, Pose2(0, 0, 0));

@@ -38,8 +38,7 @@ Features two_rooms(const Pose2& T_map_second) {
 Observation with_wall(const Searching& searching, LocalMap& local_map) {
   const Pose2 T_laser_map = (searching.robot.T_map_base() * T_base_laser).inverse();
   Features features = detected_from(*searching.map, searching.robot.T_map_base());
-  features.push_back(transformed(T_laser_map, Feature{"opal:Wall", Segment{{1, 0}, {9, 0}}}));
-  features.back().support_m = 8;
+  features.push_back(transformed(T_laser_map, seen_wall({1, 0}, {9, 0})));
   for (Feature& feature : features) feature = transformed(T_base_laser, feature);
   local_map.add(searching.robot.sample(), features);
   return {local_map, searching.robot.observation().scans, features};

@@ -202,9 +202,10 @@ TEST_CASE("who is worse than the best by more than the limit ends, and nobody el
 TEST_CASE("who is within the lead that the status asks for stays, however much evidence there is") {
   LocalizerOptions options;
   options.status.localized_lead = 0.2;
-  options.status.localized_lead_nat = GENERATE(1000, 15);
+  const double most_nat = GENERATE(1000, 15);
+  options.status.localized_lead_nat = most_nat;
   Line line(options);
-  const double best_nat = 100, lead_nat = options.status.lead().nat(best_nat + kSpawn_nat);
+  const double best_nat = 100, lead_nat = std::min(0.2 * (best_nat + kSpawn_nat), most_nat);
   line.nat_at = [&](double x_m) { return best_nat - x_m; };
   line.spawn({0, lead_nat - 0.5, lead_nat + 0.5});
   CHECK(ids_of(line.set.alive()) == ids({0, 1}));
