@@ -77,32 +77,43 @@ void ReferenceGrid::lay_out(std::span<const Point> reference) {
   rows_ = static_cast<int>(size.y() / cell_m_) + 1;
   const std::size_t cells = static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_);
   surfel_of_.assign(cells, kNone);
-  likelihood_field_.assign(cells + kMostSums, 0);
+  likelihood_field_.assign(cells + kReadAhead, 0);
 }
 
-/// One surfel per occupied cell. Scans seen from either side of a wall have opposite normals: they are turned alike.
+/// One surfel per occupied cell. Cells about it tell the direction of a wall best. Near corners and on small things it
+/// is that of its own points.
 void ReferenceGrid::gather(std::span<const Point> reference) {
-  for (std::size_t i = 0; i < reference.size(); ++i) {
-    const Point& p = reference[i];
+  std::vector<std::uint32_t> surfel_of_point;
+  surfel_of_point.reserve(reference.size());
+  for (const Point& p : reference) {
     std::uint32_t& index = surfel_of_[cell(column_of(p.x()), row_of(p.y()))];
     if (index == kNone) {
       index = static_cast<std::uint32_t>(surfels_.size());
       surfels_.emplace_back();
     }
-    Surfel& surfel = surfels_[index];
-    const Point normal = normal_at(reference, i);
-    surfel.normal += normal.dot(surfel.normal) < 0 ? Point(-normal) : normal;
-    surfel.dense = surfel.dense || has_near_neighbour(reference, i);
-    surfel.mean += p;
-    ++surfel.points;
+    surfels_[index].mean += p;
+    ++surfels_[index].points;
+    surfel_of_point.push_back(index);
   }
   for (Surfel& surfel : surfels_) surfel.mean /= surfel.points;
-  for (Surfel& surfel : surfels_) set_normal(surfel);
+  std::vector<char> is_on_line;
+  is_on_line.reserve(surfels_.size());
+  for (Surfel& surfel : surfels_) is_on_line.push_back(take_normal_of_neighbours(surfel));
+  for (std::size_t i = 0; i < reference.size(); ++i)
+    if (const std::uint32_t index = surfel_of_point[i]; !is_on_line[index])
+      add_neighbours(surfels_[index], reference, i);
+  for (std::size_t k = 0; k < surfels_.size(); ++k)
+    if (!is_on_line[k]) set_normal_of_points(surfels_[k]);
 }
 
-/// Cells about it tell the direction of a wall best. Near corners and on small things it is that of its own points.
-void ReferenceGrid::set_normal(Surfel& surfel) const {
-  if (take_normal_of_neighbours(surfel)) return;
+/// Scans seen from either side of a wall have opposite normals: they are turned alike.
+void ReferenceGrid::add_neighbours(Surfel& surfel, std::span<const Point> reference, std::size_t i) {
+  const Point normal = normal_at(reference, i);
+  surfel.normal += normal.dot(surfel.normal) < 0 ? Point(-normal) : normal;
+  surfel.dense = surfel.dense || has_near_neighbour(reference, i);
+}
+
+void ReferenceGrid::set_normal_of_points(Surfel& surfel) {
   const bool agree = surfel.normal.norm() > kAgreement * surfel.points;
   surfel.normal = agree ? surfel.normal.normalized() : Point::Zero();
 }
@@ -123,7 +134,8 @@ bool ReferenceGrid::take_normal_of_neighbours(Surfel& surfel) const {
       squares += other.points * away * away.transpose();
     }
   const Eigen::Matrix2d scatter = squares / points - sum * sum.transpose() / (points * points);
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(scatter);
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes;
+  axes.computeDirect(scatter);
   const double across = std::max(0.0, axes.eigenvalues()[0]), along = axes.eigenvalues()[1];
   if (along <= kElongated * across) return false;
   surfel.normal = axes.eigenvectors().col(0);
@@ -167,12 +179,16 @@ template <int kSums>
 ReferenceGrid::Sums ReferenceGrid::sum_likelihood_field(std::span<const Cell> cells, int rows, int step,
                                                         int count) const {
   using Row = Eigen::Array<float, kSums, 1>;
+  using Steps = Eigen::Map<const Row, Eigen::Unaligned, Eigen::InnerStride<>>;
   Row sums = Row::Zero();
   for (const auto& [column, first_row] : cells) {
     const int row = first_row + rows;
     if (row < 0 || row >= rows_) continue;
-    if (step == 1 && column >= 0 && column + count <= columns_)  // nearly always
+    const bool inside = column >= 0 && column + count * step <= columns_ && step <= kMostStep;
+    if (inside && step == 1)
       sums += Eigen::Map<const Row>(&likelihood_field_[cell(column, row)]);
+    else if (inside)
+      sums += Steps(&likelihood_field_[cell(column, row)], Eigen::InnerStride<>(step));
     else
       sums += likelihood_field_cell_by_cell(column, row, step, count).template head<kSums>();
   }

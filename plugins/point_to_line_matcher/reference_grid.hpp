@@ -15,7 +15,8 @@ struct Surfel {
   Point normal = Point::Zero();
   double normal_variance = 0;  ///< of its heading, where the cells about it tell it [rad^2]
   Point end = Point::Zero();   ///< along the outline, to where it ends in view; zero if it goes on to both sides
-  bool dense = false;  ///< some of its points have a near neighbour; if not, they say little about where a surface is
+  /// Some of its points have a near neighbour; if not, they say little about where a surface is. Of points off lines.
+  bool dense = false;
   int points = 0;
 };
 
@@ -52,14 +53,18 @@ class ReferenceGrid {
 
  private:
   static constexpr std::uint32_t kNone = 0xffffffff;
+  static constexpr int kMostStep = 8;  ///< of sums that are read at a time
+  static constexpr int kReadAhead = kMostSums * kMostStep;
 
   std::size_t cell(int column, int row) const {
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column);
   }
   void lay_out(std::span<const Point> reference);
   void gather(std::span<const Point> reference);
+  /// Adds the direction across the outline at reference[i], which lies in the surfel's cell.
+  static void add_neighbours(Surfel& surfel, std::span<const Point> reference, std::size_t i);
   /// @param surfel  whose normal is still the sum over its points.
-  void set_normal(Surfel& surfel) const;
+  static void set_normal_of_points(Surfel& surfel);
   /// Takes the direction across the surfels about this one, and to where they end. @return false if they do not lie
   /// along a line.
   bool take_normal_of_neighbours(Surfel& surfel) const;
@@ -74,7 +79,7 @@ class ReferenceGrid {
   int rows_ = 0;
   // By cell. Apart from each other, since a search reads nothing but likelihood-field score, along rows.
   std::vector<std::uint32_t> surfel_of_;
-  std::vector<float> likelihood_field_;  ///< and kMostSums more, since that many are read at a time
+  std::vector<float> likelihood_field_;  ///< and kReadAhead more
   std::vector<Surfel> surfels_;
 };
 
