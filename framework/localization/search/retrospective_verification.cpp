@@ -60,7 +60,7 @@ RetrospectiveVerification::Verdict RetrospectiveVerification::verify(const Hypot
   Pose2 T_later_local = T_now_local, T_map_base = hypothesis.T_map_local * T_local_now;
   Hypothesis trial = hypothesis;
   Verdict verdict;
-  const double most_behind_nat = std::max(options_.behind_nat, lead_.nat(best_nat()));
+  const double most_behind_nat = lead_.kept_within_nat(options_.behind_nat, best_nat());
   double weight = 1, behind_nat = 0;
   std::optional<Verdict> kidnapped;  // the verdict if the robot was kidnapped
   for (const PastScan& scan : scans_) {

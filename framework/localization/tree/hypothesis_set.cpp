@@ -275,8 +275,7 @@ void HypothesisSet::prune() {
   sort_best_first(alive_);
   if (alive_.empty()) return;
   const double best = alive_.front().hypothesis.log_likelihood;
-  // The status asks about those within that lead.
-  const double most_behind = std::max(options_.prune_nat, lead_.nat(best));
+  const double most_behind = lead_.kept_within_nat(options_.prune_nat, best);
   for (std::size_t k = 0; k < alive_.size(); ++k) {
     Live& live = alive_[k];
     const double behind = best - live.hypothesis.log_likelihood;

@@ -104,6 +104,9 @@ struct AskedLead {
 
   /// @param evidence_nat  of the place that must lead.
   double nat(double evidence_nat) const { return std::min(share * evidence_nat, most_nat); }
+  /// How far behind the best place others are kept: the status asks about those within the lead.
+  /// @param limit_nat  so far in any case. @param best_nat  evidence of the best place.
+  double kept_within_nat(double limit_nat, double best_nat) const { return std::max(limit_nat, nat(best_nat)); }
 };
 
 /// Status: when the best hypothesis is called localized, when lost.
