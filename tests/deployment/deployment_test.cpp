@@ -4,6 +4,7 @@
 #include "deployment_text.hpp"
 
 #include "jsonld/json_ld.hpp"
+#include "tests/kit/refusal.hpp"
 #include "tests/kit/shipped_plugins.hpp"
 
 #include <catch2/catch.hpp>
@@ -17,14 +18,7 @@ namespace {
 
 /// The message without the file's name, which must be there.
 std::string refusal_of(const std::string& text) {
-  try {
-    parse_deployment(text, kFile);
-  } catch (const Error& error) {
-    const std::string message = error.what();
-    REQUIRE_THAT(message, StartsWith(kFile + ": "));
-    return message.substr(kFile.size() + 2);
-  }
-  return "accepted";
+  return refused_with<Error>([&] { parse_deployment(text, kFile); }, kFile);
 }
 
 /// Two walls that make a room's corner, and a column.
@@ -50,12 +44,7 @@ std::vector<std::string> names_of(const std::vector<T>& parts) {
 }
 
 std::string building_refusal(const std::string& members) {
-  try {
-    build_parts(parsed(members), shipped_plugins(), room(true));
-  } catch (const ConfigError& error) {
-    return error.what();
-  }
-  return "accepted";
+  return refused_with<ConfigError>([&] { build_parts(parsed(members), shipped_plugins(), room(true)); });
 }
 
 }  // namespace

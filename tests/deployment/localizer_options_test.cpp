@@ -1,5 +1,7 @@
 #include "deployment/localizer_options.hpp"
 
+#include "tests/kit/refusal.hpp"
+
 #include <opal/common/error.hpp>
 
 #include <catch2/catch.hpp>
@@ -22,12 +24,7 @@ TEST_CASE("options of stages are read by name, and what is not named keeps its d
 
 TEST_CASE("a wrong option of a stage is refused with its place, what was found and what is expected") {
   const auto message = [](const nlohmann::json& stages) -> std::string {
-    try {
-      read_localizer_options(stages, "a.jsonld: /stages");
-    } catch (const ConfigError& error) {
-      return error.what();
-    }
-    return "nothing was refused";
+    return refused_with<ConfigError>([&] { read_localizer_options(stages, "a.jsonld: /stages"); });
   };
   CHECK_THAT(
       message({{"serach", nlohmann::json::object()}}),

@@ -2,6 +2,7 @@
 
 #include "learning/prior_shares.hpp"
 #include "map/overlay/map_overlay.hpp"
+#include "tests/kit/refusal.hpp"
 
 #include <opal/common/error.hpp>
 
@@ -189,12 +190,7 @@ TEST_CASE("a number in evidence that nothing can be is refused with what was fou
   const auto refused = [](const char* key, const nlohmann::json& value) {
     nlohmann::json document = nlohmann::json::parse(to_json(drive("a", {seen("wall-0", kMoved)})).dump());
     document["visits"][0]["objects"][0][key] = value;
-    try {
-      drive_evidence_from(document, "x.json");
-    } catch (const ConfigError& error) {
-      return std::string(error.what());
-    }
-    return std::string("taken");
+    return refused_with<ConfigError>([&] { drive_evidence_from(document, "x.json"); });
   };
   CHECK(refused("observations", 1e300) == "x.json: observations 1e+300, expected 0.0 to 1000000000.0");
   CHECK_THAT(refused("observations", -1), Contains("expected 0.0 to"));

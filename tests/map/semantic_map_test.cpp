@@ -1,3 +1,5 @@
+#include "tests/kit/refusal.hpp"
+
 #include <opal/common/error.hpp>
 #include <opal/map/semantic_map.hpp>
 
@@ -27,12 +29,8 @@ std::shared_ptr<const SemanticMap> map_of(const Geometry& geometry) {
 }
 
 std::string message_of_parse(const std::string& graph) {
-  try {
-    SemanticMap::parse(R"({"@context": "urn:opal:v1", "@graph": [)" + graph + "]}", "room.jsonld");
-  } catch (const MapError& error) {
-    return error.what();
-  }
-  return "no error";
+  return refused_with<MapError>(
+      [&] { SemanticMap::parse(R"({"@context": "urn:opal:v1", "@graph": [)" + graph + "]}", "room.jsonld"); });
 }
 
 /// One wall with one segment, of which the begin point is given.

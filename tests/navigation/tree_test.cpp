@@ -6,6 +6,7 @@
 #include <opal/common/error.hpp>
 #include <opal/common/strict_json.hpp>
 #include "jsonld/json_ld.hpp"
+#include "tests/kit/refusal.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -49,15 +50,12 @@ struct Made {
 };
 
 std::string refusal(const std::string& root) {
-  try {
+  return refused_with<ConfigError>([&] {
     parse_tree(standard_nodes(),
                R"({"@context": "urn:opal:v1", "@type": "opal:BehaviourTrees", "trees": [{"name": "a", "root": )" +
                    root + "}]}",
                "t.jsonld");
-  } catch (const ConfigError& error) {
-    return error.what();
-  }
-  return "accepted";
+  });
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "output/output_folder.hpp"
 
 #include "output/unfinished_run.hpp"
+#include "tests/kit/refusal.hpp"
 #include "tests/kit/temporary_folder.hpp"
 
 #include <catch2/catch.hpp>
@@ -10,19 +11,6 @@
 
 using namespace opal;
 namespace fs = std::filesystem;
-
-namespace {
-
-std::string message_of(const std::function<void()>& act) {
-  try {
-    act();
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "";
-}
-
-}  // namespace
 
 TEST_CASE("a folder is marked while a run writes into it, and not when the run is finished") {
   const TemporaryFolder parent;
@@ -42,7 +30,7 @@ TEST_CASE("a folder is marked while a run writes into it, and not when the run i
 TEST_CASE("a folder belongs to one run at a time, and the other is told to whom") {
   const TemporaryFolder parent;
   OutputFolder folder(parent.path(), "opal localize", {});
-  const std::string told = message_of([&] { OutputFolder(parent.path(), "opal track", {}); });
+  const std::string told = refused_with<Error>([&] { OutputFolder(parent.path(), "opal track", {}); });
   CHECK_THAT(told, Catch::StartsWith(parent.path() + ": opal localize (process " + std::to_string(getpid())));
   CHECK_THAT(told, Catch::EndsWith("writes into this folder; wait for its end, or give another folder"));
   CHECK_THROWS_AS(OutputFolder(parent.path(), "opal track", {}), FolderInUse);

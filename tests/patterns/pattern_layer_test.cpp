@@ -2,6 +2,7 @@
 
 #include <opal/common/error.hpp>
 #include "patterns/pattern_layer.hpp"
+#include "tests/kit/refusal.hpp"
 
 #include <algorithm>
 #include <set>
@@ -33,12 +34,8 @@ int count(const PatternLayer& layer, const std::string& name) {
 
 std::string complaint_about(const MapPattern& pattern) {
   const auto map = map_of({column(0, 0), column(7.4, 0), column(0, 6.2), wall(-1, -1, 9, -1)}, {pattern});
-  try {
-    layer_instances(view_of(map), pattern.pattern_template, *shipped(pattern.pattern_template));
-  } catch (const MapError& error) {
-    return error.what();
-  }
-  return "accepted";
+  return refused_with<MapError>(
+      [&] { layer_instances(view_of(map), pattern.pattern_template, *shipped(pattern.pattern_template)); });
 }
 
 }  // namespace

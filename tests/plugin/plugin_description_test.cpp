@@ -1,3 +1,4 @@
+#include "tests/kit/refusal.hpp"
 #include "tests/kit/temporary_folder.hpp"
 
 #include <opal/plugin/plugin_description.hpp>
@@ -33,12 +34,7 @@ json good_document() {
 PluginDescription parsed(const json& document) { return parse_plugin_description(document, "lines.jsonld"); }
 
 std::string refusal(const json& document) {
-  try {
-    parsed(document);
-  } catch (const PluginError& error) {
-    return error.what();
-  }
-  return "accepted";
+  return opal::refused_with<PluginError>([&] { parsed(document); });
 }
 
 /// The good document with one value changed, or removed.
@@ -54,12 +50,8 @@ json without(const std::string& parent, const std::string& key) {
 }
 
 std::string option_refusal(const json& options) {
-  try {
-    complete_options("opal:LineDetector", parsed(good_document()).types.front().options, options);
-  } catch (const PluginError& error) {
-    return error.what();
-  }
-  return "accepted";
+  return opal::refused_with<PluginError>(
+      [&] { complete_options("opal:LineDetector", parsed(good_document()).types.front().options, options); });
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <opal/common/error.hpp>
 #include <opal/common/strict_json.hpp>
 #include "jsonld/json_ld.hpp"
+#include "tests/kit/refusal.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -24,13 +25,8 @@ std::string shipped(const std::string& name) { return std::string(OPAL_SOURCE_DI
 std::string refusal_of(const json& document) {
   const TemporaryFolder folder;
   const std::string path = written(folder, document);
-  try {
-    read_experiment(path, shipped);
-  } catch (const opal::Error& error) {
-    const std::string message = error.what();
-    return message.starts_with(path + ": ") ? message.substr(path.size() + 2) : message;
-  }
-  return "accepted";
+  const std::string message = opal::refused_with<opal::Error>([&] { read_experiment(path, shipped); });
+  return message.starts_with(path + ": ") ? message.substr(path.size() + 2) : message;
 }
 
 std::string refusal_with(const json::json_pointer& place, const json& value) {

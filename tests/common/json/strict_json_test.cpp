@@ -1,3 +1,4 @@
+#include "tests/kit/refusal.hpp"
 #include "tests/kit/temporary_folder.hpp"
 
 #include <opal/common/strict_json.hpp>
@@ -17,13 +18,9 @@ using opal::parse_json;
 
 /// The message with which the text is refused; fails the test if it is not.
 std::string refusal(const std::string& text, const JsonLimits& limits = {}) {
-  try {
-    parse_json(text, "a.json", limits);
-  } catch (const JsonError& error) {
-    return error.what();
-  }
-  FAIL("accepted: " << text.substr(0, 200));
-  return {};
+  const std::string message = opal::refused_with<JsonError>([&] { parse_json(text, "a.json", limits); });
+  if (message == "accepted") FAIL("accepted: " << text.substr(0, 200));
+  return message;
 }
 
 std::string repeated(const std::string& text, int times) {

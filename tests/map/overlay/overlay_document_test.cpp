@@ -1,6 +1,8 @@
 // Reading overlay documents: strictly, and with messages that name the place.
 #include "room.hpp"
 
+#include "tests/kit/refusal.hpp"
+
 #include <opal/common/error.hpp>
 
 #include <catch2/catch.hpp>
@@ -12,12 +14,7 @@ using Catch::Contains;
 using Catch::StartsWith;
 
 std::string refused(const std::string& changes, const std::string& nodes = "") {
-  try {
-    overlay(changes, nodes);
-  } catch (const opal::MapError& error) {
-    return error.what();
-  }
-  return "";
+  return opal::refused_with<opal::MapError>([&] { overlay(changes, nodes); });
 }
 
 }  // namespace

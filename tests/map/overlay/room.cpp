@@ -1,5 +1,7 @@
 #include "room.hpp"
 
+#include "tests/kit/refusal.hpp"
+
 #include <opal/common/error.hpp>
 
 #include <catch2/catch.hpp>
@@ -70,12 +72,7 @@ bool has_feature(const SemanticMap& map, const std::string& id) {
 }
 
 std::string refusal(const SemanticMap& map, const std::vector<MapOverlay>& overlays) {
-  try {
-    overlaid_map(map, overlays);
-  } catch (const MapError& error) {
-    return error.what();
-  }
-  return "";
+  return refused_with<MapError>([&] { overlaid_map(map, overlays); });
 }
 
 std::string all_of(const std::vector<std::string>& sentences) {

@@ -1,6 +1,8 @@
 // The dynamic loader dies of SIGBUS on a library that lacks its end: it must never get to see one.
 #include "plugin_files.hpp"
 
+#include "tests/kit/refusal.hpp"
+
 #include <opal/plugin/plugin_registry.hpp>
 
 #include <catch2/catch.hpp>
@@ -16,12 +18,7 @@ namespace {
 
 std::string refusal_of_fresh(const std::string& path) {
   opal::PluginRegistry registry;
-  try {
-    registry.load(path);
-  } catch (const opal::PluginError& error) {
-    return error.what();
-  }
-  return "accepted";
+  return opal::refused_with<opal::PluginError>([&] { registry.load(path); });
 }
 
 }  // namespace

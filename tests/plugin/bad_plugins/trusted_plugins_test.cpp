@@ -1,6 +1,7 @@
 #include "plugin_files.hpp"
 
 #include "common/digest/sha256.hpp"
+#include "tests/kit/refusal.hpp"
 
 #include <opal/common/error.hpp>
 #include <opal/plugin/plugin_registry.hpp>
@@ -51,17 +52,8 @@ class TrustedGood {
   PluginRegistry registry_;
 };
 
-std::string refusal_of(const std::function<void()>& call) {
-  try {
-    call();
-  } catch (const ConfigError& error) {
-    return error.what();
-  }
-  return "accepted";
-}
-
 std::string making_refusal(const PluginRegistry& registry) {
-  return refusal_of([&] { registry.make<FeatureDetector>("bad:good"); });
+  return refused_with<ConfigError>([&] { registry.make<FeatureDetector>("bad:good"); });
 }
 
 }  // namespace
@@ -84,7 +76,7 @@ TEST_CASE("a plugin whose file was changed by one bit is refused before any of i
   const std::string expected = "a.jsonld: /trusted_plugins/0/sha256: plugin good: " + good.file() + " has SHA-256 " +
                                found + ", expected " + good.digest() + ": it is not the file that is trusted";
   CHECK(making_refusal(registry) == expected);
-  CHECK(refusal_of([&] { registry.expect_trusted("bad:good"); }) == expected);
+  CHECK(refused_with<ConfigError>([&] { registry.expect_trusted("bad:good"); }) == expected);
   CHECK(registry.is_listed("bad:good"));
   CHECK_FALSE(good_was_opened());
 }
@@ -134,8 +126,9 @@ TEST_CASE("a library that is open stays what it was when it was checked") {
 TEST_CASE("a registry that trusts a list loads nothing else") {
   const TrustedGood good;
   PluginRegistry none = PluginRegistry().trusting(TrustedPlugins{"a.jsonld: /trusted_plugins", {}, {}});
-  CHECK_THAT(refusal_of([&] { none.load(good.file()); }), Contains("plugin good") && Contains("is not in the list"));
-  CHECK_THAT(refusal_of([&] { none.load_all(std::filesystem::path(good.file()).parent_path()); }),
+  CHECK_THAT(refused_with<ConfigError>([&] { none.load(good.file()); }),
+             Contains("plugin good") && Contains("is not in the list"));
+  CHECK_THAT(refused_with<ConfigError>([&] { none.load_all(std::filesystem::path(good.file()).parent_path()); }),
              StartsWith("a.jsonld: /trusted_plugins: plugin good"));
   CHECK_FALSE(good_was_opened());
   CHECK_FALSE(none.has("bad:good"));

@@ -1,6 +1,8 @@
 // What map_server yaml files and images mean, and what is wrong with bad ones.
 #include "drawn_grid.hpp"
 
+#include "tests/kit/refusal.hpp"
+
 #include <opal/common/error.hpp>
 
 #include <catch2/catch.hpp>
@@ -25,12 +27,7 @@ MapImport import_yaml(const std::string& yaml, const std::string& image_bytes = 
 }
 
 std::string message_of(const std::string& yaml, const std::string& image_bytes = room().pgm()) {
-  try {
-    import_yaml(yaml, image_bytes);
-  } catch (const MapError& error) {
-    return error.what();
-  }
-  return "no error";
+  return refused_with<MapError>([&] { import_yaml(yaml, image_bytes); });
 }
 
 bool same_geometry(const SemanticMap& a, const SemanticMap& b) {

@@ -1,6 +1,8 @@
 // The same grid in every kind of image that programs save maps in.
 #include "drawn_grid.hpp"
 
+#include "tests/kit/refusal.hpp"
+
 #include <opal/common/error.hpp>
 
 #include <catch2/catch.hpp>
@@ -221,12 +223,7 @@ TEST_CASE("an image that was copied with its yaml file is found beside it") {
 
 TEST_CASE("a BMP that is damaged or compressed is refused with the place") {
   const auto message = [](const std::string& bytes) {
-    try {
-      map_of(bytes, "room.bmp");
-    } catch (const MapError& error) {
-      return std::string(error.what());
-    }
-    return std::string("accepted");
+    return refused_with<MapError>([&] { map_of(bytes, "room.bmp"); });
   };
   std::string compressed = bmp(drawn_room(), 8);
   compressed[30] = 1;

@@ -1,5 +1,7 @@
 #include "drawn_building.hpp"
 
+#include "tests/kit/refusal.hpp"
+
 #include <opal/common/error.hpp>
 
 #include <catch2/catch.hpp>
@@ -22,14 +24,7 @@ std::string drawn() {
 
 std::string refusal(const std::string& text) {
   const IfcFile file(text);
-  try {
-    ifc_importer({{"z_m", 1}})->import(file.path());
-  } catch (const MapError& error) {
-    const std::string message = error.what();
-    CHECK_THAT(message, Catch::StartsWith(file.path() + ": "));
-    return message.substr(file.path().size() + 2);
-  }
-  return "accepted";
+  return refused_with<MapError>([&] { ifc_importer({{"z_m", 1}})->import(file.path()); }, file.path());
 }
 
 std::string replaced(std::string text, const std::string& what, const std::string& by) {

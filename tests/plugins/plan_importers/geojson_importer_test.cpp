@@ -2,6 +2,7 @@
 
 #include <opal/common/error.hpp>
 #include "map/check/map_check.hpp"
+#include "tests/kit/refusal.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -129,12 +130,8 @@ TEST_CASE("one level is imported, the nearest to the ground unless another is na
 
 TEST_CASE("what is no GeoJSON is refused with file and place") {
   const auto refusal = [](const std::string& text) {
-    try {
-      import_text("geojson_importer", "opal:GeoJsonImporter", "plan.geojson", text);
-    } catch (const MapError& error) {
-      return std::string(error.what());
-    }
-    return std::string("no error");
+    return refused_with<MapError>(
+        [&] { import_text("geojson_importer", "opal:GeoJsonImporter", "plan.geojson", text); });
   };
   const auto with = [&](json changed) { return refusal(collection(std::vector<json>{std::move(changed)}).dump()); };
   CHECK_THAT(refusal(""), Contains("plan.geojson"));

@@ -1,5 +1,7 @@
 #include "benchmark/experiments/integrity/campaign.hpp"
 
+#include "tests/kit/refusal.hpp"
+
 #include <opal/common/error.hpp>
 
 #include <catch2/catch.hpp>
@@ -67,12 +69,7 @@ TEST_CASE("a document that is no drive is refused with file, place, what was fou
   const auto refused = [](const char* pointer, const nlohmann::json& value) {
     nlohmann::json document = nlohmann::json::parse(to_json(campaign_of(1).drive(0)).dump());
     document[nlohmann::json::json_pointer(pointer)] = value;
-    try {
-      drawn_drive_from(document, "drive.json");
-    } catch (const ConfigError& error) {
-      return std::string(error.what());
-    }
-    return std::string("taken");
+    return refused_with<ConfigError>([&] { drawn_drive_from(document, "drive.json"); });
   };
   CHECK(refused("/event", "flood") ==
         "drive.json: /event: \"flood\", expected one of \"dropped\", \"doubled\", \"reordered\", \"late\", \"clock "
