@@ -1,6 +1,6 @@
 #pragma once
 
-#include "common/plugin_failures.hpp"
+#include "localization/observation/plugin_failures.hpp"
 
 #include <opal/localization/localizer.hpp>
 

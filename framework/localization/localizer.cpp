@@ -1,6 +1,5 @@
 #include <opal/localization/localizer.hpp>
 
-#include "common/plugin_failures.hpp"
 #include "common/stage_clock.hpp"
 #include "localization/alignment/coarse_points.hpp"
 #include "localization/alignment/pose_step.hpp"
@@ -12,6 +11,7 @@
 #include "localization/events/run_journal.hpp"
 #include "localization/guarded_parts.hpp"
 #include "localization/observation/observation.hpp"
+#include "localization/observation/plugin_failures.hpp"
 #include "localization/observation/settling.hpp"
 #include "localization/scoring/scorer_ensemble.hpp"
 #include "localization/search/map_search.hpp"

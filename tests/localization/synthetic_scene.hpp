@@ -1,7 +1,7 @@
 #pragma once
 
-#include "common/plugin_failures.hpp"
 #include "localization/observation/observation.hpp"
+#include "localization/observation/plugin_failures.hpp"
 #include "localization/scoring/scorer_ensemble.hpp"
 
 #include <opal/local_map/local_map.hpp>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "common/plugin_failures.hpp"
+#include "localization/observation/plugin_failures.hpp"
 
 #include <opal/localization/scoring/active_scorer.hpp>
 #include <opal/map/view/map_view.hpp>

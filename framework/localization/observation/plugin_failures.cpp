@@ -1,4 +1,4 @@
-#include "common/plugin_failures.hpp"
+#include "localization/observation/plugin_failures.hpp"
 
 #include <spdlog/spdlog.h>
 
