@@ -5,7 +5,6 @@
 #include "common/phrases.hpp"
 #include "common/write_error.hpp"
 #include "output/output_folder.hpp"
-#include "session/program_log.hpp"
 
 #include <signal.h>
 
@@ -90,7 +89,6 @@ int run(CLI::App& app, int argc, char** argv, const int& exit_code) {
 
 int program(int argc, char** argv) {
   signal(SIGXFSZ, SIG_IGN);  // a limit on the size of files is an error of the file that reaches it
-  session::log_to_stderr();
   CLI::App app("Opal: where a wheeled robot is in a building, from a LiDAR, odometry and a semantic map", "opal");
   app.require_subcommand(1);
   app.set_version_flag("--version", "opal " OPAL_VERSION);

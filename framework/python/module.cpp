@@ -1,5 +1,4 @@
 #include "python/bindings.hpp"
-#include "session/program_log.hpp"
 
 PYBIND11_MODULE(_opal, module) {
   using namespace opal::python;
@@ -7,7 +6,6 @@ PYBIND11_MODULE(_opal, module) {
       "Opal in Python: maps, recorded logs, the localizer step by step, benches. Units are metres, radians and "
       "seconds; "
       "a pose is an array of x [m], y [m] and heading [rad].";
-  opal::session::log_to_stderr();
   bind_errors(module);
   bind_plugins(module);
   bind_map(module);

@@ -2,7 +2,7 @@
 
 #include "map/overlay/map_overlay.hpp"
 
-#include <spdlog/spdlog.h>
+#include <opal/common/warning.hpp>
 
 namespace opal::session {
 
@@ -11,7 +11,7 @@ MapPtr with_overlays(const MapPtr& map, const std::vector<std::string>& files) {
   std::vector<opal::MapOverlay> overlays;
   for (const std::string& file : files) overlays.push_back(opal::read_overlay(file));
   const opal::OverlaidMap overlaid = opal::overlaid_map(*map, overlays);
-  for (const std::string& doubt : overlaid.doubts) spdlog::warn("overlay: {}", doubt);
+  for (const std::string& doubt : overlaid.doubts) opal::warn("overlay: " + doubt);
   return overlaid.map;
 }
 

@@ -5,10 +5,9 @@
 #include "session/overlays.hpp"
 
 #include <opal/common/error.hpp>
+#include <opal/common/warning.hpp>
 #include <opal/plugin/plugin_description.hpp>
 #include <opal/plugin/plugin_folders.hpp>
-
-#include <spdlog/spdlog.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -19,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-void tell_refusal(const std::string& refusal) { spdlog::warn("plugin refused: {}", refusal); }
+void tell_refusal(const std::string& refusal) { opal::warn("plugin refused: " + refusal); }
 
 /// A plugin that cannot be used recognizes nothing, and does not stand in the way of the others.
 template <class T>
@@ -189,7 +188,7 @@ std::unique_ptr<opal::LogReader> open_log(const opal::PluginRegistry& plugins, c
   const std::string source = log_source_of(registry, path);
   const bool has_options = !registry.type(source).options.empty();
   const std::string doubt = has_options ? log_sources_doubt(deployment, {source}) : "";
-  if (!doubt.empty()) spdlog::warn("opal: {}", doubt);
+  if (!doubt.empty()) opal::warn("opal: " + doubt);
   return log_source(registry, source, deployment, words)->open_for(path, deployment.lasers);
 }
 

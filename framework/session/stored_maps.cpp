@@ -4,9 +4,9 @@
 #include "session/map_cache.hpp"
 
 #include <opal/common/error.hpp>
+#include <opal/common/warning.hpp>
 
 #include <fmt/format.h>
-#include <spdlog/spdlog.h>
 
 #include <cmath>
 #include <cstdlib>
@@ -45,7 +45,7 @@ void keep(const MapCache& cache, const std::string& where, const opal::StoreSour
   try {
     cache.keep(where, source, map);
   } catch (const opal::Error& error) {
-    spdlog::warn("opal: the map is not kept for times without its store: {}", error.what());
+    opal::warn(fmt::format("opal: the map is not kept for times without its store: {}", error.what()));
   }
 }
 
@@ -53,16 +53,16 @@ opal::StoredMap pull_or_find(const opal::MapStore& store, const MapCache& cache,
   try {
     opal::StoredMap pulled = store.pull(source.building, source.version);
     keep(cache, store.where(), source, pulled);
-    spdlog::info("map: {}, from {}", described(pulled.version), store.where());
+    opal::warn(fmt::format("map: {}, from {}", described(pulled.version), store.where()));
     return pulled;
   } catch (const opal::StoreUnreachable& error) {
     const auto kept = cache.find(store.where(), source);
     if (!kept)
       throw opal::StoreUnreachable(std::string(error.what()) + "; and " + opal::text_of(source) +
                                    " was never kept from it on this machine");
-    spdlog::warn("opal: the map store cannot be reached: {}", error.what());
-    spdlog::info("map: {}, as pulled {} ({}), from {}", described(kept->map.version), age_of(kept->pulled_at),
-                 kept->pulled_at, kept->file);
+    opal::warn(fmt::format("opal: the map store cannot be reached: {}", error.what()));
+    opal::warn(fmt::format("map: {}, as pulled {} ({}), from {}", described(kept->map.version), age_of(kept->pulled_at),
+                           kept->pulled_at, kept->file));
     return kept->map;
   }
 }

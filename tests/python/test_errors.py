@@ -1,5 +1,7 @@
 """Wrong input: the words of the program, as exceptions of Python."""
 
+import subprocess
+import sys
 import unittest
 
 import numpy as np
@@ -104,6 +106,21 @@ class Errors(InFolder):
         self.assertEqual((len(run), run.localized_after), (0, None))
         with self.assertRaisesRegex(opal.WriteError, "none/results.csv"):
             run.write_results(str(self.folder / "none" / "results.csv"))
+
+
+LOOK_AT_THE_LOGGER = """
+import ctypes.util
+of_the_process = ctypes.CDLL(ctypes.util.find_library("spdlog"))._ZN6spdlog18default_logger_rawEv
+of_the_process.restype = ctypes.c_void_p
+usual = of_the_process()
+import opal
+assert of_the_process() == usual
+"""
+
+
+class Warnings(unittest.TestCase):
+    def test_the_module_leaves_the_default_logger_of_the_process_alone(self):
+        subprocess.run([sys.executable, "-c", LOOK_AT_THE_LOGGER], check=True)
 
 
 if __name__ == "__main__":

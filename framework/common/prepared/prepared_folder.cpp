@@ -3,8 +3,6 @@
 #include "common/whole_file.hpp"
 #include "common/write_error.hpp"
 
-#include <spdlog/spdlog.h>
-
 #include <algorithm>
 #include <array>
 #include <chrono>
@@ -26,8 +24,6 @@ void PreparedFolder::touch(const fs::path& file) {
   std::error_code ignored;
   fs::last_write_time(file, fs::file_time_type::clock::now(), ignored);
 }
-
-void PreparedFolder::warn(const std::string& complaint) { spdlog::warn("the prepared map is not kept: {}", complaint); }
 
 /// Maps change, and nobody asks for the old ones again.
 void PreparedFolder::forget_old() const {

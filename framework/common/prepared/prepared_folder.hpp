@@ -1,6 +1,7 @@
 #pragma once
 
 #include <opal/common/export.hpp>
+#include <opal/common/warning.hpp>
 
 #include <filesystem>
 #include <functional>
@@ -32,13 +33,12 @@ class OPAL_EXPORT PreparedFolder {
     T made = make();
     const std::string complaint = keep([&] { write(file, made); });
     if (std::optional<T> found = read(file)) return std::move(*found);
-    warn(complaint);
+    warn("the prepared map is not kept: " + complaint);
     return made;
   }
 
  private:
   static void touch(const std::filesystem::path& file);
-  static void warn(const std::string& complaint);
   void forget_old() const;
   /// @return why nothing is kept, if nothing is: another program may have kept the same meanwhile.
   std::string keep(const std::function<void()>& write) const;
