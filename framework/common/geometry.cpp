@@ -56,8 +56,7 @@ bool is_crossed_by_ray(const Segment& segment, const Point& from) {
 }
 
 bool is_within(std::span<const Segment> edges, const Point& point) {
-  return std::count_if(edges.begin(), edges.end(), [&](const Segment& e) { return is_crossed_by_ray(e, point); }) % 2 ==
-         1;
+  return std::ranges::count_if(edges, [&](const Segment& e) { return is_crossed_by_ray(e, point); }) % 2 == 1;
 }
 
 }  // namespace opal

@@ -169,7 +169,7 @@ ScorerConfig read_scorer(ConfigObject object) {
 }
 
 bool decides_already(const std::vector<ScorerConfig>& scorers, const ScorerConfig& scorer) {
-  return std::any_of(scorers.begin(), scorers.end(), [&](const ScorerConfig& other) {
+  return std::ranges::any_of(scorers, [&](const ScorerConfig& other) {
     return other.decides() && scorer.decides() && other.part.type == scorer.part.type &&
            other.part.options == scorer.part.options;
   });
@@ -226,8 +226,8 @@ void read_sensors(ConfigObject& document, Deployment& deployment) {
   deployment.lasers.clear();
   for (const ConfigObject& sensor : *sensors) deployment.lasers.push_back(read_sensor(sensor));
   deployment.describes_laser = true;
-  deployment.describes_mount = std::all_of(described.begin(), described.end(),
-                                           [](const auto& sensor) { return sensor.contains("T_base_laser"); });
+  deployment.describes_mount =
+      std::ranges::all_of(described, [](const auto& sensor) { return sensor.contains("T_base_laser"); });
   expect_distinct(document, deployment.lasers);
 }
 
@@ -268,8 +268,7 @@ Deployment parse_deployment(const std::string& text, const std::string& file) {
 }
 
 bool takes_geometry_from_log(const Deployment& deployment) {
-  return std::any_of(deployment.lasers.begin(), deployment.lasers.end(),
-                     [](const LaserModel& laser) { return laser.geometry_from_log; });
+  return std::ranges::any_of(deployment.lasers, [](const LaserModel& laser) { return laser.geometry_from_log; });
 }
 
 Deployment with_lasers(Deployment deployment, std::vector<LaserModel> lasers) {

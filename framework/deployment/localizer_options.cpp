@@ -88,8 +88,7 @@ void read_stage(Stage& stage, const nlohmann::json& given, const std::string& wh
     const std::string here = where + "/" + name;
     if (read_other(stage, name, value, here)) continue;
     const auto& fields = fields_of(stage);
-    const auto field =
-        std::find_if(fields.begin(), fields.end(), [&, &key = name](const auto& f) { return key == f.name; });
+    const auto field = std::ranges::find_if(fields, [&, &key = name](const auto& f) { return key == f.name; });
     if (field != fields.end()) {
       set(stage, *field, value, here);
       continue;
@@ -129,7 +128,7 @@ LocalizerOptions read_localizer_options(const nlohmann::json& stages, const std:
   });
   if (read == stages.size()) return options;
   for (const auto& [name, value] : stages.items())
-    if (std::find(known.begin(), known.end(), name) == known.end())
+    if (std::ranges::find(known, name) == known.end())
       throw ConfigError(where + "/" + name + ": unknown stage, expected one of: " + listed(known));
   return options;
 }

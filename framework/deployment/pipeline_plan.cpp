@@ -31,8 +31,7 @@ std::vector<RegisteredType> of_kind(PluginKind kind, const std::vector<Registere
   std::vector<RegisteredType> chosen;
   for (const RegisteredType& type : types)
     if (type.kind == kind) chosen.push_back(type);
-  std::sort(chosen.begin(), chosen.end(),
-            [](const RegisteredType& a, const RegisteredType& b) { return a.info.name < b.info.name; });
+  std::ranges::sort(chosen, [](const RegisteredType& a, const RegisteredType& b) { return a.info.name < b.info.name; });
   return chosen;
 }
 
@@ -113,7 +112,7 @@ class Planner {
       const auto offers = [&name = name](const RegisteredType& type) {
         return type.kind == PluginKind::pattern_template && type.info.name == name;
       };
-      if (std::none_of(types.begin(), types.end(), offers))
+      if (std::ranges::none_of(types, offers))
         plan_.reasons.push_back(name + ": no plugin offers it; " + std::to_string(count) +
                                 " patterns of the map stay unused");
     }

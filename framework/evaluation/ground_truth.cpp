@@ -48,8 +48,7 @@ GroundTruth::GroundTruth(std::vector<StampedPose> T_map_laser) : poses_(std::mov
 std::optional<Pose2> GroundTruth::T_map_laser_at(double stamp_s) const { return pose_at(poses_, stamp_s); }
 
 double GroundTruth::driven_m(double stamp_s) const {
-  const auto after = std::lower_bound(poses_.begin(), poses_.end(), stamp_s,
-                                      [](const StampedPose& pose, double t) { return pose.stamp_s < t; });
+  const auto after = std::ranges::lower_bound(poses_, stamp_s, {}, &StampedPose::stamp_s);
   if (after == poses_.begin()) return 0;
   if (after == poses_.end()) return driven_m_.back();
   const std::size_t k = static_cast<std::size_t>(after - poses_.begin());

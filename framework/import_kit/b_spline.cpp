@@ -59,17 +59,14 @@ std::string fault_of(const BSpline& spline) {
     return "a spline with " + std::to_string(knots) + " knots, expected " +
            std::to_string(points + degree_of(spline) + 1);
   const auto is_finite = [](double value) { return std::isfinite(value); };
-  if (!std::all_of(spline.knots.begin(), spline.knots.end(), is_finite) ||
-      !std::is_sorted(spline.knots.begin(), spline.knots.end()) ||
+  if (!std::ranges::all_of(spline.knots, is_finite) || !std::ranges::is_sorted(spline.knots) ||
       !(spline.knots[points] > spline.knots[degree_of(spline)]))
     return "a spline whose knots do not rise";
   if (!spline.weights.empty() && spline.weights.size() != points)
     return "a spline with a weight for some control points only";
-  if (!std::all_of(spline.weights.begin(), spline.weights.end(),
-                   [](double weight) { return weight > 1e-9 && weight < 1e9; }))
+  if (!std::ranges::all_of(spline.weights, [](double weight) { return weight > 1e-9 && weight < 1e9; }))
     return "a spline with weights that are not positive";
-  if (!std::all_of(spline.control_points.begin(), spline.control_points.end(),
-                   [](const auto& p) { return p.allFinite(); }))
+  if (!std::ranges::all_of(spline.control_points, [](const auto& p) { return p.allFinite(); }))
     return "a spline with a control point that is nowhere";
   return "";
 }

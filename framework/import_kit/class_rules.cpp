@@ -8,7 +8,7 @@ namespace opal {
 namespace {
 
 std::ptrdiff_t own_characters(const std::string& pattern) {
-  return std::count_if(pattern.begin(), pattern.end(), [](char c) { return c != '*' && c != '?'; });
+  return std::ranges::count_if(pattern, [](char c) { return c != '*' && c != '?'; });
 }
 
 bool same(char a, char b) {
@@ -16,7 +16,7 @@ bool same(char a, char b) {
 }
 
 bool is_ascii(const std::string& text) {
-  return std::all_of(text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < 128; });
+  return std::ranges::all_of(text, [](char c) { return static_cast<unsigned char>(c) < 128; });
 }
 
 /// fits_pattern() knows upper and lower case of ASCII by itself, and there may be many names.
@@ -32,7 +32,7 @@ std::string type_of(const std::string& text) {
 }
 
 bool fits_any(const std::vector<std::string>& names, const std::string& pattern) {
-  return std::any_of(names.begin(), names.end(), [&](const std::string& name) { return fits_pattern(name, pattern); });
+  return std::ranges::any_of(names, [&](const std::string& name) { return fits_pattern(name, pattern); });
 }
 
 }  // namespace
@@ -61,15 +61,14 @@ ClassRules::ClassRules(const nlohmann::json& given, const std::map<std::string, 
     rules_.push_back({pattern, upper_case_letters(pattern), type_of(type.get<std::string>()), true});
   for (const auto& [pattern, type] : defaults)
     rules_.push_back({pattern, upper_case_letters(pattern), type_of(type), false});
-  std::stable_sort(rules_.begin(), rules_.end(), [](const Rule& a, const Rule& b) {
+  std::ranges::stable_sort(rules_, [](const Rule& a, const Rule& b) {
     return a.is_given != b.is_given ? a.is_given : own_characters(a.pattern) > own_characters(b.pattern);
   });
 }
 
 const ClassRules::Rule* ClassRules::rule_for(const std::vector<std::string>& names) const {
   const std::vector<std::string> compared = comparable(names);
-  const auto found =
-      std::find_if(rules_.begin(), rules_.end(), [&](const Rule& rule) { return fits_any(compared, rule.compared); });
+  const auto found = std::ranges::find_if(rules_, [&](const Rule& rule) { return fits_any(compared, rule.compared); });
   return found == rules_.end() ? nullptr : &*found;
 }
 

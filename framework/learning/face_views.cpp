@@ -28,7 +28,7 @@ class BelievedMap {
     if (map_.clearance_m(p) < kBesideMapped_m)
       for (const MapFeatureNumber number : map_.within(p, kBesideMapped_m))
         if (is_it(map_.map().feature(number).geometry)) return true;
-    return std::any_of(moved_.begin(), moved_.end(), is_it);
+    return std::ranges::any_of(moved_, is_it);
   }
 
  private:
@@ -74,8 +74,8 @@ void add(FaceViews& face, const FaceView& view) {
 }  // namespace
 
 const Segment& FaceViews::longest() const {
-  return std::max_element(views.begin(), views.end(),
-                          [](const FaceView& a, const FaceView& b) { return a.part.length_m() < b.part.length_m(); })
+  return std::ranges::max_element(
+             views, [](const FaceView& a, const FaceView& b) { return a.part.length_m() < b.part.length_m(); })
       ->part;
 }
 
@@ -87,8 +87,7 @@ std::vector<FaceViews> views_of_unmapped_faces(const MapView& map, const MapBeli
     for (const SeenFace& seen : views[k].faces) {
       const FaceView view{unmapped_part(transformed(T_map_base[k], seen.segment), believed), k, &seen};
       if (view.part.length_m() < kShortestPart_m) continue;
-      auto face =
-          std::find_if(found.begin(), found.end(), [&](const FaceViews& each) { return takes(each, view.part); });
+      auto face = std::ranges::find_if(found, [&](const FaceViews& each) { return takes(each, view.part); });
       if (face == found.end()) face = found.insert(found.end(), FaceViews{view.part});
       add(*face, view);
     }

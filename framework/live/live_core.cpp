@@ -50,8 +50,7 @@ LiveAnswer LiveCore::answer_to(const Sample& sample, double received_s) {
 
 /// How long ago the scan came, and forgets it with those before.
 double LiveCore::waited_since(double stamp_s, double received_s) {
-  const auto found =
-      std::find_if(received_.begin(), received_.end(), [&](const Received& scan) { return scan.stamp_s == stamp_s; });
+  const auto found = std::ranges::find_if(received_, [&](const Received& scan) { return scan.stamp_s == stamp_s; });
   if (found == received_.end()) return 0;
   const double waited_s = received_s - found->received_s;
   received_.erase(received_.begin(), found + 1);

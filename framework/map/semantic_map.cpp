@@ -23,8 +23,7 @@ std::vector<std::string> places_in(const std::string& list, const std::vector<El
 
 bool is_word(const std::string& text) {
   const auto fits = [](unsigned char c) { return std::isalnum(c) != 0 || c == '-' || c == '_' || c == '.'; };
-  return !text.empty() && std::isalpha(static_cast<unsigned char>(text[0])) != 0 &&
-         std::all_of(text.begin(), text.end(), fits);
+  return !text.empty() && std::isalpha(static_cast<unsigned char>(text[0])) != 0 && std::ranges::all_of(text, fits);
 }
 
 /// A type's name with its prefix, which gets an IRI if it has none.
@@ -105,13 +104,13 @@ template <class Element, class Before>
 std::vector<Id<Element>> sort_elements(std::vector<Element>& elements, std::vector<std::string>& places,
                                        Before before) {
   std::vector<Id<Element>> new_number(elements.size());
-  if (std::is_sorted(elements.begin(), elements.end(), before)) {  // as `opal map` writes them
+  if (std::ranges::is_sorted(elements, before)) {  // as `opal map` writes them
     for (std::size_t k = 0; k < elements.size(); ++k) new_number[k] = Id<Element>(k);
     return new_number;
   }
   std::vector<int> order(elements.size());
   std::iota(order.begin(), order.end(), 0);
-  std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return before(elements[a], elements[b]); });
+  std::ranges::stable_sort(order, [&](int a, int b) { return before(elements[a], elements[b]); });
   std::vector<Element> sorted;
   std::vector<std::string> sorted_places;
   sorted.reserve(elements.size());
@@ -175,8 +174,8 @@ bool id_before(const std::string& a, const std::string& b) {
 
 void add_unused(nlohmann::json& unused, const nlohmann::json& more) {
   for (const nlohmann::json& node : more) {
-    const auto known = std::find_if(unused.begin(), unused.end(),
-                                    [&](const nlohmann::json& one) { return one["@id"] == node["@id"]; });
+    const auto known =
+        std::ranges::find_if(unused, [&](const nlohmann::json& one) { return one["@id"] == node["@id"]; });
     if (known == unused.end()) {
       unused.push_back(node);
       continue;
@@ -185,7 +184,7 @@ void add_unused(nlohmann::json& unused, const nlohmann::json& more) {
       nlohmann::json& said = (*known)[key];
       if (!said.is_array()) said = values;
       for (const nlohmann::json& value : values.is_array() ? values : nlohmann::json::array())
-        if (std::find(said.begin(), said.end(), value) == said.end()) said.push_back(value);
+        if (std::ranges::find(said, value) == said.end()) said.push_back(value);
       if (said.is_array()) std::sort(said.begin(), said.end());
     }
   }
@@ -206,7 +205,7 @@ void sort_by_id(MapDraft& draft) {
         return a.id == b.id ? id_before(a.sensor, b.sensor) : id_before(a.id, b.id);
       });
   sort_elements(draft.patterns, draft.pattern_places, by_id);
-  std::stable_sort(draft.origin.placements.begin(), draft.origin.placements.end(), by_id);
+  std::ranges::stable_sort(draft.origin.placements, by_id);
   sort_storeys(draft.origin);
   for (MapFeature& feature : draft.features) feature.object = objects[feature.object.number()];
   for (MapPattern& pattern : draft.patterns)

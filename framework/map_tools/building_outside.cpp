@@ -21,9 +21,9 @@ std::vector<Point> ends_of(const SemanticMap& map) {
 /// The convex hull of what is mapped, counter-clockwise (Andrew 1979).
 std::vector<Point> hull_of(const SemanticMap& map) {
   std::vector<Point> ends = ends_of(map), hull;
-  std::sort(ends.begin(), ends.end(),
-            [](const Point& a, const Point& b) { return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y(); });
-  for (int half = 0; half < 2; ++half, std::reverse(ends.begin(), ends.end())) {
+  std::ranges::sort(ends,
+                    [](const Point& a, const Point& b) { return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y(); });
+  for (int half = 0; half < 2; ++half, std::ranges::reverse(ends)) {
     const std::size_t first = hull.size();
     for (const Point& p : ends) {
       while (hull.size() >= first + 2 && cross(Point(hull.back() - hull[hull.size() - 2]), Point(p - hull.back())) <= 0)
@@ -153,9 +153,7 @@ class OpenGround {
     return inside;
   }
 
-  bool is_no_building() const {
-    return 3 * inside_cells() < std::count(raster_.cells.begin(), raster_.cells.end(), MapRaster::Cell::free);
-  }
+  bool is_no_building() const { return 3 * inside_cells() < std::ranges::count(raster_.cells, MapRaster::Cell::free); }
 
   /// What the open leads into by no door, and what is hardly deeper than its mouth is wide: a porch, a carport.
   void take_recesses() {

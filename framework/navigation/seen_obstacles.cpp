@@ -52,8 +52,7 @@ void SeenObstacles::add(const Scan& scan, const Pose2& T_odom_base, const Pose2&
   constexpr double kBeside_m = 0.5;
   for (const ScanPoint& point : scan.points) {
     const Point p = T_odom_laser_ * point.position;
-    const bool moves =
-        std::any_of(movers.begin(), movers.end(), [&](const Point& q) { return (p - q).norm() < kBeside_m; });
+    const bool moves = std::ranges::any_of(movers, [&](const Point& q) { return (p - q).norm() < kBeside_m; });
     see(p, moves ? Motion::moving : Motion::still);
   }
 }
@@ -86,8 +85,7 @@ std::vector<Point> SeenObstacles::moved(const Scan& scan) const {
   }
   std::vector<Point> together;
   for (const Point& p : found)
-    if (std::count_if(found.begin(), found.end(), [&](const Point& q) { return (p - q).norm() < kTogether_m; }) >=
-        kLeast)
+    if (std::ranges::count_if(found, [&](const Point& q) { return (p - q).norm() < kTogether_m; }) >= kLeast)
       together.push_back(p);
   return together;
 }

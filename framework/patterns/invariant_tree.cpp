@@ -74,9 +74,8 @@ class TreeBuilder {
       const auto row = values_.begin() + static_cast<std::ptrdiff_t>(k * dimensions_);
       scratch_.values.insert(scratch_.values.end(), row, row + static_cast<std::ptrdiff_t>(dimensions_));
     }
-    std::copy(scratch_.order.begin(), scratch_.order.end(), order_.begin() + static_cast<std::ptrdiff_t>(from));
-    std::copy(scratch_.values.begin(), scratch_.values.end(),
-              values_.begin() + static_cast<std::ptrdiff_t>(from * dimensions_));
+    std::ranges::copy(scratch_.order, order_.begin() + static_cast<std::ptrdiff_t>(from));
+    std::ranges::copy(scratch_.values, values_.begin() + static_cast<std::ptrdiff_t>(from * dimensions_));
   }
 
   /// Sets the node's box. @return its widest dimension.
@@ -116,8 +115,8 @@ bool InvariantTree::are_sound(std::size_t patterns, std::size_t dimensions, cons
   const bool is_needed = patterns > 0 && dimensions > 0;
   return order.size() == patterns && arrays.values.size() == patterns * dimensions &&
          arrays.boxes.size() == (is_needed ? end_of_nodes(0, patterns) * dimensions : 0) &&
-         std::all_of(order.begin(), order.end(),
-                     [patterns](int number) { return number >= 0 && static_cast<std::size_t>(number) < patterns; });
+         std::ranges::all_of(
+             order, [patterns](int number) { return number >= 0 && static_cast<std::size_t>(number) < patterns; });
 }
 
 /// Calls visit(from, to) for ranges that are wholly inside the query, and for single matches; stops when it

@@ -25,14 +25,13 @@ bool is_place(double value) {
 bool are_sound(const PatternTable::Columns& columns, int members) {
   const auto all_places = [](const auto& column) {
     const auto values = column.values();
-    return std::all_of(values.begin(), values.end(),
-                       [](const auto& numbers) { return std::all_of(numbers.begin(), numbers.end(), is_place); });
+    return std::ranges::all_of(values, [](const auto& numbers) { return std::ranges::all_of(numbers, is_place); });
   };
   const std::size_t patterns = columns.frames.size(), extents = columns.extents_m.size();
   const auto numbers = columns.members.values();
   return numbers.size() == patterns * columns.slots && (extents == 0 || extents == patterns) &&
          all_places(columns.frames) && all_places(columns.extents_m) &&
-         std::all_of(numbers.begin(), numbers.end(), [members](int number) { return number >= 0 && number < members; });
+         std::ranges::all_of(numbers, [members](int number) { return number >= 0 && number < members; });
 }
 
 }  // namespace

@@ -13,8 +13,7 @@ using nlohmann::json;
 
 /// NAME as far as a described option goes: names of classes and layers may hold dots and signs of their own.
 const OptionInfo* find_option(const std::vector<OptionInfo>& described, const std::string& name) {
-  const auto found =
-      std::find_if(described.begin(), described.end(), [&](const OptionInfo& option) { return option.name == name; });
+  const auto found = std::ranges::find_if(described, [&](const OptionInfo& option) { return option.name == name; });
   return found == described.end() ? nullptr : &*found;
 }
 

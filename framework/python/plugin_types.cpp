@@ -50,10 +50,9 @@ Feature make_feature(const std::string& type, const std::string& shape, const st
   if (sigmas.size() != expected)
     refuse("sigmas: " + std::to_string(sigmas.size()) + " of a " + shape + ", expected " + std::to_string(expected));
   const auto is_finite = [](double number) { return std::isfinite(number); };
-  if (!std::all_of(numbers.begin(), numbers.end(), is_finite))
-    refuse("numbers: not finite, expected metres and radians");
+  if (!std::ranges::all_of(numbers, is_finite)) refuse("numbers: not finite, expected metres and radians");
   if (shape == "circle" && !(numbers[2] > 0)) refuse("numbers: a radius of 0 or less, expected more");
-  if (!std::all_of(sigmas.begin(), sigmas.end(), [](double sigma) { return sigma >= 0 && std::isfinite(sigma); }))
+  if (!std::ranges::all_of(sigmas, [](double sigma) { return sigma >= 0 && std::isfinite(sigma); }))
     refuse("sigmas: negative or not finite, expected standard deviations");
   for (std::size_t k = 0; k < sigmas.size(); ++k)
     feature.covariance(Eigen::Index(k), Eigen::Index(k)) = sigmas[k] * sigmas[k];

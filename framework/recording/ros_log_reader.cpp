@@ -79,8 +79,7 @@ void RosLogReader::find_mounts() {
   std::vector<std::string> laser_frames;
   for (const std::string& topic : scan_topics_of(decoder_.topics()))
     if (const auto frame = first_of<std::string>(topic, frame_of))
-      if (std::find(laser_frames.begin(), laser_frames.end(), *frame) == laser_frames.end())
-        laser_frames.push_back(*frame);
+      if (std::ranges::find(laser_frames, *frame) == laser_frames.end()) laser_frames.push_back(*frame);
   if (laser_frames.empty()) return;
   FixedFrames frames = read_transforms(false).fixed_frames();
   for (const std::string& frame : laser_frames) find_mount(frames, frame);

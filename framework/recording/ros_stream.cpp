@@ -124,12 +124,11 @@ FixedFrames RosStream::frames() const {
 
 void RosStream::try_to_open() {
   const bool has_all_lasers = laser_by_topic_.size() >= scan_topics_.size();
-  const bool waited_enough = std::any_of(laser_by_topic_.begin(), laser_by_topic_.end(), [&](const auto& laser) {
-    return is_over(laser.second.since_s, kLaserPatience_s);
-  });
+  const bool waited_enough = std::ranges::any_of(
+      laser_by_topic_, [&](const auto& laser) { return is_over(laser.second.since_s, kLaserPatience_s); });
   if (!hears_odometry() || !(has_all_lasers || waited_enough)) return;
   const FixedFrames known = frames();
-  const bool has_all_mounts = std::all_of(laser_by_topic_.begin(), laser_by_topic_.end(), [&](const auto& laser) {
+  const bool has_all_mounts = std::ranges::all_of(laser_by_topic_, [&](const auto& laser) {
     return !base_frame_.empty() && find_laser_mount(known, base_frame_, laser.second.frame);
   });
   if (!has_all_mounts && !is_over(first_s_, mount_patience_s_)) return;
@@ -143,7 +142,7 @@ void RosStream::admit(const std::string& topic) {
   admitted_.insert(topic);
   const std::string& laser = laser_by_topic_.at(topic).frame;
   const auto is_of_laser = [&](const MountRecord& mount) { return mount.child == laser; };
-  if (std::any_of(mounts_.begin(), mounts_.end(), is_of_laser)) return;
+  if (std::ranges::any_of(mounts_, is_of_laser)) return;
   const auto mount = base_frame_.empty() ? std::nullopt : find_laser_mount(frames(), base_frame_, laser);
   if (!mount) ++defects_["no static transform from " + base_words() + " to " + laser];
   if (!mount) return;

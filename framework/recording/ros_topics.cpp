@@ -131,8 +131,7 @@ std::vector<std::string> scan_topics_of(const TopicChoice& topics) {
 }
 
 bool reads_scans_of(const TopicChoice& topics, const std::string& topic) {
-  return topics.slices.contains(topic) ||
-         std::find(topics.scans.begin(), topics.scans.end(), topic) != topics.scans.end();
+  return topics.slices.contains(topic) || std::ranges::find(topics.scans, topic) != topics.scans.end();
 }
 
 bool is_odometry(const Transform& transform, const TopicChoice& topics) {

@@ -33,8 +33,7 @@ std::string text_of(ConfigObject& object, const std::string& key, std::size_t lo
 }
 
 bool are_numbers(const nlohmann::json& value) {
-  return value.is_array() &&
-         std::all_of(value.begin(), value.end(), [](const nlohmann::json& each) { return each.is_number(); });
+  return value.is_array() && std::ranges::all_of(value, [](const nlohmann::json& each) { return each.is_number(); });
 }
 
 std::vector<double> numbers_of(ConfigObject& object, const std::string& key, std::size_t count) {
@@ -45,7 +44,7 @@ std::vector<double> numbers_of(ConfigObject& object, const std::string& key, std
 
 std::vector<std::vector<double>> mapped_of(ConfigObject& object) {
   const nlohmann::json& value = object.any("mapped");
-  if (!value.is_array() || !std::all_of(value.begin(), value.end(), are_numbers))
+  if (!value.is_array() || !std::ranges::all_of(value, are_numbers))
     object.refuse("mapped", "an array of arrays of numbers");
   return value.get<std::vector<std::vector<double>>>();
 }

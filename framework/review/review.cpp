@@ -64,8 +64,7 @@ void Review::take(const Decisions& more, const std::string& source) {
 }
 
 std::optional<std::size_t> Review::proposal_of(const Subject& subject) const {
-  const auto at =
-      std::find_if(subjects_.begin(), subjects_.end(), [&](const Subject& each) { return is_same(each, subject); });
+  const auto at = std::ranges::find_if(subjects_, [&](const Subject& each) { return is_same(each, subject); });
   if (at == subjects_.end()) return std::nullopt;
   return at - subjects_.begin();
 }

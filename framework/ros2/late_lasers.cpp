@@ -25,8 +25,7 @@ LateLasers::Verdict LateLasers::take(const LogRecord& record) {
   if (!scan) return Verdict::usual;
   if (left_out_.contains(scan->frame)) return Verdict::is_left_out;
   if (!heard_.insert(scan->frame).second) return Verdict::usual;
-  const auto laser =
-      std::find_if(lasers_.begin(), lasers_.end(), [&](const LaserModel& each) { return each.frame == scan->frame; });
+  const auto laser = std::ranges::find_if(lasers_, [&](const LaserModel& each) { return each.frame == scan->frame; });
   if (laser == lasers_.end() && lasers_.size() >= described_) return Verdict::usual;
   first_scans_.push_back(record);
   if (laser == lasers_.end()) return Verdict::begins_anew;

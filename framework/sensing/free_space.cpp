@@ -23,7 +23,7 @@ std::vector<Beam> beams_of(const Scan& scan, double reach_m) {
   for (const ScanPoint& point : scan.points) beams.push_back({point.bearing_rad, std::min(point.range_m, reach_m)});
   const double free_m = std::min(scan.range_max_m, reach_m);
   for (double bearing : scan.free_bearings_rad) beams.push_back({bearing, free_m});
-  std::sort(beams.begin(), beams.end(), [](const Beam& a, const Beam& b) { return a.bearing_rad < b.bearing_rad; });
+  std::ranges::sort(beams, {}, &Beam::bearing_rad);
   return beams;
 }
 

@@ -36,8 +36,7 @@ void OdometryTrack::forget_before(double stamp_s) {
 }
 
 std::optional<Pose2> OdometryTrack::at(double stamp_s, double reach_s) const {
-  const auto after = std::lower_bound(poses_.begin(), poses_.end(), stamp_s,
-                                      [](const StampedPose& pose, double stamp) { return pose.stamp_s < stamp; });
+  const auto after = std::ranges::lower_bound(poses_, stamp_s, {}, &StampedPose::stamp_s);
   if (after != poses_.end() && after != poses_.begin()) {
     const StampedPose& before = *std::prev(after);
     const double share = (stamp_s - before.stamp_s) / (after->stamp_s - before.stamp_s);

@@ -35,10 +35,8 @@ Reading classify(double range_m, const LaserModel& laser) {
 void sort_by_bearing(Scan& scan) {
   const auto nearer_right = [](const ScanPoint& a, const ScanPoint& b) { return a.bearing_rad < b.bearing_rad; };
   // Most lasers deliver their beams in this order already.
-  if (!std::is_sorted(scan.points.begin(), scan.points.end(), nearer_right))
-    std::stable_sort(scan.points.begin(), scan.points.end(), nearer_right);
-  if (!std::is_sorted(scan.free_bearings_rad.begin(), scan.free_bearings_rad.end()))
-    std::sort(scan.free_bearings_rad.begin(), scan.free_bearings_rad.end());
+  if (!std::ranges::is_sorted(scan.points, nearer_right)) std::ranges::stable_sort(scan.points, nearer_right);
+  if (!std::ranges::is_sorted(scan.free_bearings_rad)) std::ranges::sort(scan.free_bearings_rad);
 }
 
 bool is_below(double range_m, double limit_m) { return range_m < limit_m - kRounding_m; }

@@ -124,7 +124,7 @@ bool ScanPairing::State::same_ranges(const RawScan& a, const RawScan& b) {
 }
 
 ScanPairing::State::Laser* ScanPairing::State::laser_of(const RawScan& raw) {
-  const auto found = std::find_if(lasers.begin(), lasers.end(), [&](const Laser& laser) {
+  const auto found = std::ranges::find_if(lasers, [&](const Laser& laser) {
     return laser.model.frame == raw.frame || (lasers.size() == 1 && laser.model.frame.empty());
   });
   return found == lasers.end() ? nullptr : &*found;
@@ -171,7 +171,7 @@ void ScanPairing::State::add_own_odometry(const RawScan& raw, PendingScan& waiti
 
 void ScanPairing::State::insert(PendingScan waiting) {
   const double stamp_s = waiting.scan.stamp_s;
-  const auto timeline = std::find_if(pending.begin(), pending.end(), [](const PendingScan& p) { return !p.settled; });
+  const auto timeline = std::ranges::find_if(pending, [](const PendingScan& p) { return !p.settled; });
   const auto after = std::upper_bound(timeline, pending.end(), stamp_s,
                                       [](double stamp, const PendingScan& scan) { return stamp < scan.scan.stamp_s; });
   const double before_s = after == timeline ? last_left_s : std::prev(after)->scan.stamp_s;
@@ -182,7 +182,7 @@ void ScanPairing::State::insert(PendingScan waiting) {
   pending.insert(after, std::move(waiting));
   if (pending.size() <= options.most_waiting) return;
   ++counts["too many scans wait for odometry"];
-  settle(*std::find_if(pending.begin(), pending.end(), [](const PendingScan& p) { return !p.settled; }));
+  settle(*std::ranges::find_if(pending, [](const PendingScan& p) { return !p.settled; }));
 }
 
 void ScanPairing::State::settle(PendingScan& waiting) {
@@ -228,17 +228,15 @@ bool ScanPairing::State::lacks_laser(const Group& group) const {
   if (front.settled || last_stamp_s > front.scan.stamp_s + options.laser_wait_s) return false;
   const double until_s = front.scan.stamp_s + lasers[static_cast<std::size_t>(front.laser)].rhythm.interval_s() / 2;
   for (std::size_t k = 0; k < lasers.size(); ++k) {
-    const bool is_in = std::any_of(group.begin(), group.end(), [&](std::size_t position) {
-      return pending[position].laser == static_cast<int>(k);
-    });
+    const bool is_in = std::ranges::any_of(
+        group, [&](std::size_t position) { return pending[position].laser == static_cast<int>(k); });
     if (!is_in && lasers[k].rhythm.is_due_until(until_s, last_stamp_s)) return true;
   }
   return false;
 }
 
 bool ScanPairing::State::may_leave(const Group& group) const {
-  return std::all_of(group.begin(), group.end(), [&](std::size_t k) { return has_odometry(pending[k]); }) &&
-         !lacks_laser(group);
+  return std::ranges::all_of(group, [&](std::size_t k) { return has_odometry(pending[k]); }) && !lacks_laser(group);
 }
 
 LaserView ScanPairing::State::view_of(PendingScan waiting, const Pose2& T_track_sample) const {
@@ -264,8 +262,7 @@ std::optional<Sample> ScanPairing::State::release(const Group& group) {
   const Pose2 T_track_base = *together.back().T_track_base;
   Sample sample{together.back().scan.stamp_s, T_track_base, {}, track.recorded(T_track_base)};
   for (PendingScan& waiting : together) sample.views.push_back(view_of(std::move(waiting), T_track_base));
-  std::sort(sample.views.begin(), sample.views.end(),
-            [](const LaserView& a, const LaserView& b) { return a.laser < b.laser; });
+  std::ranges::sort(sample.views, {}, &LaserView::laser);
   return sample;
 }
 

@@ -41,8 +41,7 @@ void write_tum(std::ostream& out, std::span<const StampedPose> trajectory) {
 }
 
 std::optional<Pose2> pose_at(std::span<const StampedPose> poses, double stamp_s) {
-  const auto after = std::lower_bound(poses.begin(), poses.end(), stamp_s,
-                                      [](const StampedPose& p, double t) { return p.stamp_s < t; });
+  const auto after = std::ranges::lower_bound(poses, stamp_s, {}, &StampedPose::stamp_s);
   if (after == poses.end()) return std::nullopt;
   if (after->stamp_s == stamp_s) return after->pose;
   if (after == poses.begin()) return std::nullopt;

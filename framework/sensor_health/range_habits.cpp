@@ -20,9 +20,8 @@ void RangeHabits::add(const Scan& scan) {
   if (beams == 0) return;
   ScanRanges ranges{static_cast<int>(beams), static_cast<int>(scan.points.size()), 0, 0};
   for (const ScanPoint& point : scan.points) ranges.farthest_m = std::max(ranges.farthest_m, point.range_m);
-  ranges.so_far = static_cast<int>(std::count_if(scan.points.begin(), scan.points.end(), [&](const ScanPoint& point) {
-    return point.range_m == ranges.farthest_m;
-  }));
+  ranges.so_far = static_cast<int>(
+      std::ranges::count_if(scan.points, [&](const ScanPoint& point) { return point.range_m == ranges.farthest_m; }));
   newest_.push_back(ranges);
   count(ranges, 1);
   if (newest_.size() <= kScans) return;
@@ -42,8 +41,8 @@ void RangeHabits::count(const ScanRanges& ranges, int sign) {
 double RangeHabits::usable_share() const { return beams_ > 0 ? static_cast<double>(hits_) / beams_ : 1; }
 
 std::optional<RangeHabits::Repeated> RangeHabits::repeated_farthest() const {
-  const auto most = std::max_element(repeated_.begin(), repeated_.end(),
-                                     [](const auto& a, const auto& b) { return a.second < b.second; });
+  const auto most =
+      std::ranges::max_element(repeated_, [](const auto& a, const auto& b) { return a.second < b.second; });
   if (most == repeated_.end() || most->second < kFewestScans) return std::nullopt;
   const auto [range_m, scans] = *most;
   double beam_share = 0, seen = 0, farther = 0;

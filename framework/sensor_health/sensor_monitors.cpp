@@ -46,9 +46,8 @@ bool SensorMonitors::is_odometry_frozen() const {
     return finding.subject == SensorFinding::Subject::standing_odometry &&
            finding.verdict == SensorFinding::Verdict::contradicted;
   };
-  return std::any_of(monitors_.begin(), monitors_.end(), [&](const SensorMonitor& monitor) {
-    return std::any_of(monitor.findings().begin(), monitor.findings().end(), is_frozen);
-  });
+  return std::ranges::any_of(
+      monitors_, [&](const SensorMonitor& monitor) { return std::ranges::any_of(monitor.findings(), is_frozen); });
 }
 
 std::string SensorMonitors::contradiction() const {

@@ -23,8 +23,7 @@ struct Rooms {
   }
 
   bool is_before_door(const Point& place) const {
-    return std::any_of(doors.begin(), doors.end(),
-                       [&](const Geometry& door) { return distance_m(door, place) < kBeforeDoor_m; });
+    return std::ranges::any_of(doors, [&](const Geometry& door) { return distance_m(door, place) < kBeforeDoor_m; });
   }
 
   RayCaster walls;

@@ -68,8 +68,7 @@ class Leaf {
   /// the corridor.
   Leaf(std::span<const Segment> outline, bool open, const RayCaster& walls, Random& random) {
     if (!open || outline.empty()) return;
-    const Segment longest = *std::max_element(
-        outline.begin(), outline.end(), [](const Segment& a, const Segment& b) { return a.length_m() < b.length_m(); });
+    const Segment longest = *std::ranges::max_element(outline, {}, &Segment::length_m);
     const bool at_begin = random.chance(0.5), either = random.chance(0.5);
     const double left_m = room_beside_m(walls, longest, 1), right_m = room_beside_m(walls, longest, -1);
     const bool to_left = left_m == right_m ? either : left_m > right_m;

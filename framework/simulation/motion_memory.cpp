@@ -11,8 +11,7 @@ void MotionMemory::add(const Moment& now, double keep_s) {
 }
 
 MotionMemory::Moment MotionMemory::at(double stamp_s) const {
-  const auto after = std::lower_bound(moments_.begin(), moments_.end(), stamp_s,
-                                      [](const Moment& moment, double stamp) { return moment.stamp_s < stamp; });
+  const auto after = std::ranges::lower_bound(moments_, stamp_s, {}, &Moment::stamp_s);
   if (after == moments_.begin()) return moments_.front();
   if (after == moments_.end()) return moments_.back();
   const Moment& before = *std::prev(after);

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -42,8 +43,8 @@ std::vector<std::string> long_columns(const std::vector<PlanElement>& elements) 
   std::vector<std::string> ids;
   for (const PlanElement& element : elements)
     if (element.type == "opal:Column" && !element.sensor.empty() &&
-        std::any_of(element.lines.begin(), element.lines.end(),
-                    [](const PlanLine& line) { return !line.closed && length_m(line) > kLongestColumn_m; }))
+        std::ranges::any_of(element.lines,
+                            [](const PlanLine& line) { return !line.closed && length_m(line) > kLongestColumn_m; }))
       ids.push_back(element.id);
   return ids;
 }
@@ -59,8 +60,7 @@ double usual_door_m(const std::vector<PlanElement>& elements) {
 
 std::vector<Segment> longest_faces(const SemanticMap& map) {
   std::vector<Segment> faces = perceivable_faces(map);
-  std::stable_sort(faces.begin(), faces.end(),
-                   [](const Segment& a, const Segment& b) { return a.length_m() > b.length_m(); });
+  std::ranges::stable_sort(faces, std::greater{}, &Segment::length_m);
   faces.resize(std::min(faces.size(), kMaxFaces));
   return faces;
 }
@@ -100,7 +100,7 @@ std::optional<double> thickness_of_giants_m(const PlanAssembly& assembly, const 
     beside.emplace_back(away_m, face.length_m());
   }
   if (beside.empty() || paired_m < kPairedShare * all_m) return std::nullopt;
-  std::sort(beside.begin(), beside.end());
+  std::ranges::sort(beside);
   double so_far_m = 0;
   for (const auto& [away_m, face_m] : beside) {
     so_far_m += face_m;

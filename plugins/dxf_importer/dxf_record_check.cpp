@@ -69,8 +69,7 @@ class RecordCheck {
 
  private:
   long count(int code) const {
-    return std::count_if(record_.pairs.begin(), record_.pairs.end(),
-                         [&](const DxfPair& pair) { return pair.code == code; });
+    return std::ranges::count_if(record_.pairs, [&](const DxfPair& pair) { return pair.code == code; });
   }
 
   [[noreturn]] void fail(int line, int code, const std::string& found, const std::string& expected) const {

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <utility>
 
@@ -40,7 +41,7 @@ std::vector<double> leaves_of(const std::vector<PlanElement>& elements) {
     if (element.type != "opal:Door") continue;
     if (const DoorWidth door = door_width(element); door.has_swing) leaves_m.push_back(door.width_m);
   }
-  std::sort(leaves_m.begin(), leaves_m.end());
+  std::ranges::sort(leaves_m);
   return leaves_m;
 }
 
@@ -78,8 +79,7 @@ struct WallFaces {
 
 WallFaces walls_of(const SemanticMap& map, double max_thickness_m) {
   std::vector<Segment> faces = perceivable_faces(map);
-  std::stable_sort(faces.begin(), faces.end(),
-                   [](const Segment& a, const Segment& b) { return a.length_m() > b.length_m(); });
+  std::ranges::stable_sort(faces, std::greater{}, &Segment::length_m);
   faces.resize(std::min(faces.size(), kLongestFaces));
   WallFaces walls;
   Eigen::AlignedBox2d box;
@@ -90,7 +90,7 @@ WallFaces walls_of(const SemanticMap& map, double max_thickness_m) {
     walls.faces.emplace_back(thick_m, face.length_m());
     walls.length_m += face.length_m();
   }
-  std::sort(walls.faces.begin(), walls.faces.end());
+  std::ranges::sort(walls.faces);
   walls.has_inner = !box.isEmpty() && walls.length_m > kInnerWalls * 2 * box.sizes().sum();
   return walls;
 }

@@ -23,8 +23,7 @@ constexpr double kSurveyFoot_m = 1200.0 / 3937;
 
 std::optional<LengthUnit> unit_of_insunits(int code) {
   if (code == kSurveyFoot) return LengthUnit{"ft", kSurveyFoot_m};
-  const auto found =
-      std::find_if(kUnits.begin(), kUnits.end(), [&](const CodedUnit& unit) { return unit.insunits == code; });
+  const auto found = std::ranges::find_if(kUnits, [&](const CodedUnit& unit) { return unit.insunits == code; });
   return found == kUnits.end() ? std::nullopt : length_unit_called(found->name);
 }
 

@@ -96,14 +96,13 @@ std::vector<Segment> closed_pieces(const Segment& line, const std::vector<const 
   const double length_m = line.length_m();
   std::vector<double> places{0, length_m};
   for (const OpenArea* other : others) other->add_places(line, places);
-  std::sort(places.begin(), places.end());
+  std::ranges::sort(places);
   std::vector<Segment> pieces;
   for (std::size_t k = 0; k + 1 < places.size(); ++k) {
     const double from = std::max(0.0, places[k]), to = std::min(length_m, places[k + 1]);
     if (to - from < 1e-6) continue;
     const Point middle = line.begin + (from + to) / 2 * line.direction();
-    if (std::any_of(others.begin(), others.end(),
-                    [&](const OpenArea* other) { return other->is_at(middle, line.direction()); }))
+    if (std::ranges::any_of(others, [&](const OpenArea* other) { return other->is_at(middle, line.direction()); }))
       continue;
     const Segment piece{line.begin + from * line.direction(), line.begin + to * line.direction()};
     if (!pieces.empty() && (pieces.back().end - piece.begin).norm() < 1e-6)

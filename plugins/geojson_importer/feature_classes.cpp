@@ -61,8 +61,7 @@ bool is_osm_type(const std::string& name) {
 }
 
 bool has_any_of(const std::string& text, std::initializer_list<const char*> words) {
-  return std::any_of(words.begin(), words.end(),
-                     [&](const char* word) { return text.find(word) != std::string::npos; });
+  return std::ranges::any_of(words, [&](const char* word) { return text.find(word) != std::string::npos; });
 }
 
 /// How much a property that no rule knows may say about what a thing is: its name may be one of a kind, or its value

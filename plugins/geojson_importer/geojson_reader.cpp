@@ -245,9 +245,8 @@ class Reader {
   }
 
   Point position(const json& coordinates, const std::string& where) const {
-    const bool is_position =
-        coordinates.is_array() && coordinates.size() >= 2 &&
-        std::all_of(coordinates.begin(), coordinates.end(), [](const json& c) { return c.is_number(); });
+    const bool is_position = coordinates.is_array() && coordinates.size() >= 2 &&
+                             std::ranges::all_of(coordinates, [](const json& c) { return c.is_number(); });
     if (!is_position) fail(where, shown(coordinates), "a position of two or three numbers");
     return {coordinates[0].get<double>(), coordinates[1].get<double>()};
   }

@@ -77,22 +77,21 @@ std::vector<std::string> levels_where(const FeatureCollection& collection, Wante
 }
 
 bool any_has(const FeatureCollection& collection, const std::string& property) {
-  return std::any_of(collection.features.begin(), collection.features.end(),
-                     [&](const Feature& feature) { return !text_or_number(feature, property).empty(); });
+  return std::ranges::any_of(collection.features,
+                             [&](const Feature& feature) { return !text_or_number(feature, property).empty(); });
 }
 
 /// Which properties say the levels of a plan.
 std::vector<std::string> properties_of(const FeatureCollection& collection) {
   const auto has = [&](const char* property) { return any_has(collection, property); };
-  if (std::any_of(kUsual.begin(), kUsual.end(), has)) return {kUsual.begin(), kUsual.end()};
-  const auto other = std::find_if(kOthers.begin(), kOthers.end(), has);
+  if (std::ranges::any_of(kUsual, has)) return {kUsual.begin(), kUsual.end()};
+  const auto other = std::ranges::find_if(kOthers, has);
   return other == kOthers.end() ? std::vector<std::string>{} : std::vector<std::string>{*other};
 }
 
 bool is_like_level(const std::string& property) {
   const std::string name = lower_case_letters(property);
-  return std::any_of(kLikeLevels.begin(), kLikeLevels.end(),
-                     [&](const char* word) { return name.find(word) != std::string::npos; });
+  return std::ranges::any_of(kLikeLevels, [&](const char* word) { return name.find(word) != std::string::npos; });
 }
 
 /// How often each value of the properties that are called like levels occurs among features that become map.
@@ -142,7 +141,7 @@ std::vector<std::string> doubts_about_levels(const FeatureCollection& collection
 bool is_on_level(const Feature& feature, const std::string& level) {
   const std::vector<std::string>& levels = feature.levels;
   const std::string wanted = number(level) ? written(*number(level)) : level;
-  return levels.empty() || std::find(levels.begin(), levels.end(), wanted) != levels.end();
+  return levels.empty() || std::ranges::find(levels, wanted) != levels.end();
 }
 
 std::vector<std::string> all_levels(const FeatureCollection& collection) {

@@ -28,8 +28,7 @@ std::string tag(const Tags& tags, const std::string& key) {
 bool is_area(const Tags& tags) {
   const std::string area = tag(tags, "area");
   if (area == "yes" || area == "no") return area == "yes";
-  return tags.contains("indoor") ||
-         std::none_of(kLinear.begin(), kLinear.end(), [&](const char* key) { return tags.contains(key); });
+  return tags.contains("indoor") || std::ranges::none_of(kLinear, [&](const char* key) { return tags.contains(key); });
 }
 
 json coordinates(const Line& line) {
@@ -123,11 +122,10 @@ class Features {
 
   /// Adds a part to the end of a line where one begins or ends there.
   static bool extend(Line& ring, std::vector<Line>& parts) {
-    const auto next = std::find_if(parts.begin(), parts.end(), [&](const Line& part) {
-      return part.front() == ring.back() || part.back() == ring.back();
-    });
+    const auto next = std::ranges::find_if(
+        parts, [&](const Line& part) { return part.front() == ring.back() || part.back() == ring.back(); });
     if (next == parts.end()) return false;
-    if (next->front() != ring.back()) std::reverse(next->begin(), next->end());
+    if (next->front() != ring.back()) std::ranges::reverse(*next);
     ring.insert(ring.end(), next->begin() + 1, next->end());
     parts.erase(next);
     return true;

@@ -77,7 +77,7 @@ Bounds building_of(FeatureCollection& collection) {
 
 template <std::size_t N>
 bool ends_with_any(const std::string& name, const std::array<const char*, N>& ends) {
-  return std::any_of(ends.begin(), ends.end(), [&](const char* end) { return name.ends_with(end); });
+  return std::ranges::any_of(ends, [&](const char* end) { return name.ends_with(end); });
 }
 
 Point degrees_of_web_mercator(const Point& p) {
@@ -120,9 +120,8 @@ bool is_metric(const std::string& crs) {
   int code = 0;
   const char *begin = crs.data() + separator + 1, *end = crs.data() + crs.size();
   const auto [rest, error] = std::from_chars(begin, end, code);
-  return error == std::errc() && rest == end && std::any_of(kMetres.begin(), kMetres.end(), [&](const Codes& codes) {
-           return codes.first <= code && code <= codes.last;
-         });
+  return error == std::errc() && rest == end &&
+         std::ranges::any_of(kMetres, [&](const Codes& codes) { return codes.first <= code && code <= codes.last; });
 }
 
 /// Coordinates of web maps become degrees first. @return whether a plan is in degrees.

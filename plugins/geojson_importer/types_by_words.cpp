@@ -43,18 +43,17 @@ struct Middle {
 };
 
 bool are_on_one_level(const Feature& a, const Feature& b) {
-  return a.levels.empty() || b.levels.empty() ||
-         std::any_of(a.levels.begin(), a.levels.end(), [&](const std::string& level) {
-           return std::find(b.levels.begin(), b.levels.end(), level) != b.levels.end();
+  return a.levels.empty() || b.levels.empty() || std::ranges::any_of(a.levels, [&](const std::string& level) {
+           return std::ranges::find(b.levels, level) != b.levels.end();
          });
 }
 
 /// Whether the middle of any other area on its level lies in a feature.
 bool is_around_any(const Feature& feature, const std::vector<Middle>& middles) {
-  return std::any_of(middles.begin(), middles.end(), [&](const Middle& middle) {
+  return std::ranges::any_of(middles, [&](const Middle& middle) {
     return are_on_one_level(feature, *middle.feature) &&
-           std::any_of(feature.shapes.polygons.begin(), feature.shapes.polygons.end(),
-                       [&](const auto& polygon) { return is_inside(middle.point, polygon.front()); });
+           std::ranges::any_of(feature.shapes.polygons,
+                               [&](const auto& polygon) { return is_inside(middle.point, polygon.front()); });
   });
 }
 
@@ -76,8 +75,8 @@ void take_words(FeatureCollection& collection) {
     std::tie(feature.type, feature.said_by) = *known;
     if (is_area_of(feature)) areas.push_back(&feature);
   }
-  const bool has_walls = std::any_of(collection.features.begin(), collection.features.end(),
-                                     [](const Feature& feature) { return feature.type == "opal:Wall"; });
+  const bool has_walls =
+      std::ranges::any_of(collection.features, [](const Feature& feature) { return feature.type == "opal:Wall"; });
   for (Feature* area : areas)
     if (has_walls) area->type = area->said_by = "";
 }
@@ -87,11 +86,10 @@ std::string usual_key(const FeatureCollection& collection) {
   std::map<std::string, int> known;
   for (const Feature& feature : collection.features)
     if (is_area_of(feature) && !feature.said_by.empty()) ++known[key_of(feature.said_by)];
-  const auto most =
-      std::max_element(known.begin(), known.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
+  const auto most = std::ranges::max_element(known, [](const auto& a, const auto& b) { return a.second < b.second; });
   if (most == known.end() || most->second < kFewestAlike || !is_kind_key(most->first)) return "";
-  const auto all = std::count_if(collection.features.begin(), collection.features.end(),
-                                 [&](const Feature& feature) { return has_text_at(feature, most->first); });
+  const auto all = std::ranges::count_if(collection.features,
+                                         [&](const Feature& feature) { return has_text_at(feature, most->first); });
   return 2 * most->second >= all ? most->first : "";
 }
 
@@ -114,9 +112,7 @@ void take_others_of_usual_key(FeatureCollection& collection) {
 }
 
 void take_name(const std::string& file, FeatureCollection& collection) {
-  if (std::any_of(collection.features.begin(), collection.features.end(),
-                  [](const Feature& feature) { return !feature.type.empty(); }))
-    return;
+  if (std::ranges::any_of(collection.features, [](const Feature& feature) { return !feature.type.empty(); })) return;
   const std::string& name = collection.name.empty() ? file : collection.name;
   const auto type = class_by_name(name);
   if (!type) return;

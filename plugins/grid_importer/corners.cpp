@@ -83,8 +83,7 @@ class CornerSearch {
       begins.visit_near(faces_[before].end, [&](int after) {
         if (const auto corner = candidate(static_cast<int>(before), after)) found.push_back(*corner);
       });
-    std::stable_sort(found.begin(), found.end(),
-                     [](const CornerCandidate& a, const CornerCandidate& b) { return a.extension < b.extension; });
+    std::ranges::stable_sort(found, {}, &CornerCandidate::extension);
     return found;
   }
 

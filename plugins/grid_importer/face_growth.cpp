@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <optional>
 
 namespace opal::grid_importer {
@@ -102,7 +103,7 @@ class Growth {
   std::vector<Seed> seeds() const {
     std::vector<Seed> seeds;
     for (int cell = 0; cell < boundary_.size(); ++cell) add_seeds(cell, seeds);
-    std::stable_sort(seeds.begin(), seeds.end(), [](const Seed& a, const Seed& b) { return a.rank > b.rank; });
+    std::ranges::stable_sort(seeds, std::greater{}, &Seed::rank);
     return seeds;
   }
 
@@ -121,8 +122,7 @@ class Growth {
         claimed[static_cast<std::size_t>(supporter.cell)].add(face_sector, 1);
       candidates.push_back(std::move(*candidate));
     }
-    std::stable_sort(candidates.begin(), candidates.end(),
-                     [](const Candidate& a, const Candidate& b) { return a.rank() > b.rank(); });
+    std::ranges::stable_sort(candidates, std::greater{}, &Candidate::rank);
     return candidates;
   }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
 
 namespace opal::grid_importer {
@@ -42,7 +43,7 @@ class Chains {
       if (!has_previous_[face]) chains.push_back(from(face));
     for (std::size_t face = 0; face < next_.size(); ++face)
       if (!taken_[face]) chains.push_back(from(face));  // closed: any face is as good a begin as another
-    std::stable_sort(chains.begin(), chains.end(), [](const Chain& a, const Chain& b) { return a.rank() > b.rank(); });
+    std::ranges::stable_sort(chains, std::greater{}, &Chain::rank);
     return chains;
   }
 

@@ -20,9 +20,7 @@ constexpr double kExplained_m = 0.15;
 // Walls are thinner than this, at least their part that a LiDAR smears.
 constexpr double kMaxThickness_m = 1.0;
 
-long count(const OccupancyGrid& grid, Occupancy occupancy) {
-  return std::count(grid.cells().begin(), grid.cells().end(), occupancy);
-}
+long count(const OccupancyGrid& grid, Occupancy occupancy) { return std::ranges::count(grid.cells(), occupancy); }
 
 std::string about_grid(const OccupancyGrid& grid) {
   const double res = grid.resolution_m();
@@ -96,15 +94,14 @@ class Distances {
 
 std::string about_fit(const std::vector<double>& distances, double res) {
   std::vector<double> found;
-  std::copy_if(distances.begin(), distances.end(), std::back_inserter(found),
-               [](double d) { return std::isfinite(d); });
-  std::sort(found.begin(), found.end());
+  std::ranges::copy_if(distances, std::back_inserter(found), [](double d) { return std::isfinite(d); });
+  std::ranges::sort(found);
   return fmt::format("boundary cells lie {:.3f} m from the nearest feature (median; p90 {:.3f} m)",
                      quantile_of(found, 0.5).value_or(0) * res, quantile_of(found, 0.9).value_or(0) * res);
 }
 
 std::string about_left_out(const std::vector<double>& distances) {
-  const long left_out = std::count_if(distances.begin(), distances.end(), [](double d) { return !std::isfinite(d); });
+  const long left_out = std::ranges::count_if(distances, [](double d) { return !std::isfinite(d); });
   return fmt::format("left out: {} of {} boundary cells are farther than {:.2f} m from every feature", left_out,
                      distances.size(), kExplained_m);
 }
@@ -128,7 +125,7 @@ std::string about_smear(const OccupancyGrid& grid, const std::vector<Face>& face
     for (double along = 1; along < face.length(); along += 2)
       if (const double depth = thickness(grid, line.at(along), -line.normal()); depth > 0) depths.push_back(depth);
   }
-  std::sort(depths.begin(), depths.end());
+  std::ranges::sort(depths);
   const double res = grid.resolution_m();
   return fmt::format("walls are {:.2f} m of occupied cells thick behind their faces (median; p90 {:.2f} m)",
                      quantile_of(depths, 0.5).value_or(0) * res, quantile_of(depths, 0.9).value_or(0) * res);

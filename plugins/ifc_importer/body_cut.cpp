@@ -53,12 +53,11 @@ void cut_face(const FaceLoops& face, double height_m, std::vector<Segment>& edge
     }
   if (crossings.size() > 2) {
     const Point first = crossings.front();
-    const Point far = *std::max_element(crossings.begin(), crossings.end(), [&](const Point& a, const Point& b) {
+    const Point far = *std::ranges::max_element(crossings, [&](const Point& a, const Point& b) {
       return (a - first).squaredNorm() < (b - first).squaredNorm();
     });
     const Point along = far - first;
-    std::sort(crossings.begin(), crossings.end(),
-              [&](const Point& a, const Point& b) { return along.dot(a) < along.dot(b); });
+    std::ranges::sort(crossings, [&](const Point& a, const Point& b) { return along.dot(a) < along.dot(b); });
   }
   for (std::size_t k = 0; k + 1 < crossings.size(); k += 2)
     if (crossings[k] != crossings[k + 1]) edges.push_back({crossings[k], crossings[k + 1]});
@@ -92,9 +91,8 @@ bool close(std::vector<Segment>& edges) {
   while (!loose.empty()) {
     const Point end = loose.back();
     loose.pop_back();
-    const auto nearest = std::min_element(loose.begin(), loose.end(), [&](const Point& a, const Point& b) {
-      return (a - end).squaredNorm() < (b - end).squaredNorm();
-    });
+    const auto nearest = std::ranges::min_element(
+        loose, [&](const Point& a, const Point& b) { return (a - end).squaredNorm() < (b - end).squaredNorm(); });
     if (nearest == loose.end() || (*nearest - end).norm() > kGap_m) return false;
     edges.push_back({end, *nearest});
     loose.erase(nearest);

@@ -23,9 +23,8 @@ bool is_same_loop(const Loop& a, const Loop& b) {
 
 bool is_same_outline(const ElementCut& a, const ElementCut& b) {
   if (a.outline.size() != b.outline.size() || a.treatment.type != b.treatment.type) return false;
-  return std::all_of(a.outline.begin(), a.outline.end(), [&](const Loop& loop) {
-    return std::any_of(b.outline.begin(), b.outline.end(),
-                       [&](const Loop& other) { return is_same_loop(loop, other); });
+  return std::ranges::all_of(a.outline, [&](const Loop& loop) {
+    return std::ranges::any_of(b.outline, [&](const Loop& other) { return is_same_loop(loop, other); });
   });
 }
 
@@ -46,8 +45,7 @@ Duplicates find_duplicates(const std::vector<ElementCut>& cuts) {
     const Point middle = middle_of(cut);
     std::vector<const ElementCut*> near;
     middles.visit_near(middle, [&](int node) { near.insert(near.end(), at[node].begin(), at[node].end()); });
-    const auto same =
-        std::find_if(near.begin(), near.end(), [&](const ElementCut* other) { return is_same_outline(cut, *other); });
+    const auto same = std::ranges::find_if(near, [&](const ElementCut* other) { return is_same_outline(cut, *other); });
     if (same == near.end()) {
       at[middles.add(middle)].push_back(&cut);
       continue;

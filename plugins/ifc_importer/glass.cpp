@@ -42,7 +42,7 @@ Words words_of(const std::string& text) {
 
 template <std::size_t N, class Test>
 bool any_of(const std::array<std::string_view, N>& parts, Test test) {
-  return std::any_of(parts.begin(), parts.end(), test);
+  return std::ranges::any_of(parts, test);
 }
 
 template <std::size_t N>
@@ -67,7 +67,7 @@ bool is_word_of_glass(const std::string& word) {
 
 bool is_air(const std::string& material) {
   const Words words = words_of(material);
-  return material.empty() || std::any_of(words.begin(), words.end(), [](const std::string& word) {
+  return material.empty() || std::ranges::any_of(words, [](const std::string& word) {
            return any_of(kAir, [&](std::string_view air) { return word == air; }) || word.starts_with("luft");
          });
 }
@@ -83,11 +83,11 @@ bool is_glass_by_layers(const Element& element) {
 }
 
 bool is_glass_by_materials(const Element& element) {
-  const auto glass = std::count_if(element.materials.begin(), element.materials.end(), [](const Material& material) {
+  const auto glass = std::ranges::count_if(element.materials, [](const Material& material) {
     return material.thickness_m == 0 && speaks_of_glass(material.name);
   });
-  const auto all = std::count_if(element.materials.begin(), element.materials.end(),
-                                 [](const Material& material) { return material.thickness_m == 0; });
+  const auto all =
+      std::ranges::count_if(element.materials, [](const Material& material) { return material.thickness_m == 0; });
   return glass > 0 && 2 * glass >= all;
 }
 
@@ -95,19 +95,18 @@ bool is_glass_by_materials(const Element& element) {
 
 bool speaks_of_glass(const std::string& text) {
   const Words words = words_of(text);
-  if (std::any_of(words.begin(), words.end(), is_opaque)) return false;
-  const bool is_ceramic =
-      std::any_of(words.begin(), words.end(), [](const std::string& word) { return begins(word, kCeramic); });
-  return std::any_of(words.begin(), words.end(), [&](const std::string& word) {
+  if (std::ranges::any_of(words, is_opaque)) return false;
+  const bool is_ceramic = std::ranges::any_of(words, [](const std::string& word) { return begins(word, kCeramic); });
+  return std::ranges::any_of(words, [&](const std::string& word) {
     return is_word_of_glass(word) && !(is_ceramic && word.starts_with("glaz"));
   });
 }
 
 bool is_glass(const Element& element) {
-  if (std::any_of(element.words.begin(), element.words.end(), speaks_of_glass)) return true;
+  if (std::ranges::any_of(element.words, speaks_of_glass)) return true;
   if (element.is_a("IfcPlate"))
-    return std::any_of(element.materials.begin(), element.materials.end(),
-                       [](const Material& material) { return speaks_of_glass(material.name); });
+    return std::ranges::any_of(element.materials,
+                               [](const Material& material) { return speaks_of_glass(material.name); });
   return is_glass_by_layers(element) || is_glass_by_materials(element);
 }
 

@@ -50,8 +50,7 @@ std::vector<std::size_t> solids_in_order(const std::vector<ElementCut>& cuts) {
   std::vector<std::size_t> order;
   for (std::size_t k = 0; k < cuts.size(); ++k)
     if (!cuts[k].solid.empty()) order.push_back(k);
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return rank_of(cuts[a]) < rank_of(cuts[b]); });
+  std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) { return rank_of(cuts[a]) < rank_of(cuts[b]); });
   return order;
 }
 
@@ -105,8 +104,8 @@ MapImport IfcImporter::import(const std::string& path) const {
   const std::vector<ElementCut> cuts = cut_storey(building, classes, level.height_m);
   const Duplicates duplicates = find_duplicates(cuts);
   std::vector<ElementCut> chosen;
-  std::copy_if(cuts.begin(), cuts.end(), std::back_inserter(chosen),
-               [&](const ElementCut& cut) { return comes_in(cut, duplicates); });
+  std::ranges::copy_if(cuts, std::back_inserter(chosen),
+                       [&](const ElementCut& cut) { return comes_in(cut, duplicates); });
   if (chosen.empty())
     throw MapError(path + ": " + level.sentence + ": nothing of the building is there" +
                    left_out_at(building, classes, level.height_m) + unread(cuts) +

@@ -192,11 +192,10 @@ class Reading {
 
   /// Every thing has an id of its own, and all stand in order of id.
   void finish(Building& building) {
-    std::sort(building.levels.begin(), building.levels.end(), [](const Level& a, const Level& b) {
+    std::ranges::sort(building.levels, [](const Level& a, const Level& b) {
       return std::tie(a.elevation_m, a.id) < std::tie(b.elevation_m, b.id);
     });
-    std::stable_sort(building.elements.begin(), building.elements.end(),
-                     [](const Element& a, const Element& b) { return a.id < b.id; });
+    std::ranges::stable_sort(building.elements, {}, &Element::id);
     std::set<std::string> ids;
     for (Element& element : building.elements) {
       const std::string id = element.id.empty() ? "without-GlobalId" : element.id;
@@ -228,8 +227,7 @@ class Reading {
 };
 
 bool has_bodies(const Building& building) {
-  return std::any_of(building.elements.begin(), building.elements.end(),
-                     [](const Element& element) { return !element.bodies.empty(); });
+  return std::ranges::any_of(building.elements, [](const Element& element) { return !element.bodies.empty(); });
 }
 
 }  // namespace

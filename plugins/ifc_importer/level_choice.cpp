@@ -49,8 +49,7 @@ std::vector<const Element*> solids_of(const Building& building, const Classes& c
 }
 
 bool any_meets(const std::vector<const Element*>& elements, double height_m) {
-  return std::any_of(elements.begin(), elements.end(),
-                     [&](const Element* element) { return meets(*element, height_m); });
+  return std::ranges::any_of(elements, [&](const Element* element) { return meets(*element, height_m); });
 }
 
 std::string names_of(const Building& building) {
@@ -91,8 +90,7 @@ std::string left_out(const Building& building, const Classes& classes, std::opti
         (height_m ? meets(element, *height_m) : !element.bodies.empty()))
       ++counts[element.source_class()];
   if (counts.empty()) return "";
-  const auto most =
-      std::max_element(counts.begin(), counts.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
+  const auto most = std::ranges::max_element(counts, [](const auto& a, const auto& b) { return a.second < b.second; });
   std::string text;
   for (const auto& [name, count] : counts) text += (text.empty() ? "" : ", ") + std::to_string(count) + " " + name;
   return "; there: " + text + ", left out (--set classes." + most->first + "=opal:Wall puts " +
@@ -112,7 +110,7 @@ std::string bodiless_things(const Building& building) {
 /// "; cannot be read: 6 things, the first is IfcWall 3k...: has no point"; empty: all can.
 std::string unread_things(const Building& building) {
   const auto is_unread = [](const Element& element) { return element.bodies.empty() && !element.troubles.empty(); };
-  const auto first = std::find_if(building.elements.begin(), building.elements.end(), is_unread);
+  const auto first = std::ranges::find_if(building.elements, is_unread);
   if (first == building.elements.end()) return bodiless_things(building);
   return fmt::format("; cannot be read: {} things, the first is {} {}: {}",
                      std::count_if(first, building.elements.end(), is_unread), first->source_class(), first->id,

@@ -22,7 +22,7 @@ std::vector<Extent> extents_by_x(const std::vector<Segment>& lines, double margi
     const auto [low_y, high_y] = std::minmax(lines[k].begin.y(), lines[k].end.y());
     extents.push_back({low_x - margin, high_x + margin, low_y - margin, high_y + margin, k});
   }
-  std::sort(extents.begin(), extents.end(), [](const Extent& a, const Extent& b) { return a.low_x < b.low_x; });
+  std::ranges::sort(extents, {}, &Extent::low_x);
   return extents;
 }
 

@@ -41,8 +41,7 @@ class Passages {
     std::vector<const Passage*> order;
     for (const auto& [object, passage] : by_object_)
       if (passage.map_feature.exists()) order.push_back(&passage);
-    std::stable_sort(order.begin(), order.end(),
-                     [](const Passage* a, const Passage* b) { return a->beams > b->beams; });
+    std::ranges::stable_sort(order, [](const Passage* a, const Passage* b) { return a->beams > b->beams; });
     std::vector<Finding> findings;
     for (const Passage* passage : order) findings.push_back({words(*passage), passage->map_feature, passage->line});
     return findings;

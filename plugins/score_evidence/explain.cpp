@@ -30,8 +30,7 @@ std::vector<Finding> EvidenceScorer::explain(const Hypothesis& hypothesis, const
     if (Feature placed = transformed(T_map_base, observation.features[k]);
         !matches(placed, T_map_base * observation.viewpoint_of(k), map))
       missed.push_back(std::move(placed));
-  std::stable_sort(missed.begin(), missed.end(),
-                   [](const Feature& a, const Feature& b) { return size_m(a) > size_m(b); });
+  std::ranges::stable_sort(missed, [](const Feature& a, const Feature& b) { return size_m(a) > size_m(b); });
   std::vector<Finding> findings;
   for (const Feature& feature : missed) findings.push_back(unexplained(feature));
   return findings;

@@ -4,6 +4,7 @@
 #include <opal/map/object_words.hpp>
 
 #include <algorithm>
+#include <functional>
 #include <sstream>
 
 namespace opal::score_free_space {
@@ -100,7 +101,7 @@ std::vector<FreeSpaceScorer::Overlap> FreeSpaceScorer::overlaps(const Pose2& T_m
                                                                 const MapView& map) const {
   const Pose2 T_base_map = T_map_base.inverse();
   std::vector<MapFeatureNumber> near = map.within(T_map_base * seen.laser_position, outline_.reach_m);
-  std::sort(near.begin(), near.end());  // sums do not depend on the order of an index
+  std::ranges::sort(near);  // sums do not depend on the order of an index
   std::vector<Overlap> found;
   for (const MapFeatureNumber number : near) {
     const Overlap overlap = overlap_of(seen.room, T_base_map, seen.laser_position, number, map);
@@ -115,8 +116,8 @@ std::vector<FreeSpaceScorer::Overlap> FreeSpaceScorer::overlaps(const Pose2& T_m
   std::vector<Overlap> most;
   for (const ScanRoom& seen : rooms_of(observation))
     for (const Overlap& overlap : overlaps(T_map_base, seen, map)) {
-      const auto known = std::find_if(most.begin(), most.end(),
-                                      [&](const Overlap& other) { return other.map_feature == overlap.map_feature; });
+      const auto known =
+          std::ranges::find_if(most, [&](const Overlap& other) { return other.map_feature == overlap.map_feature; });
       if (known == most.end())
         most.push_back(overlap);
       else if (overlap.length_m > known->length_m)
@@ -140,8 +141,7 @@ std::vector<Finding> FreeSpaceScorer::explain(const Hypothesis& hypothesis, cons
                                               const MapView& map) const {
   const Pose2 T_map_base = observation.T_map_base(hypothesis.T_map_local);
   std::vector<Overlap> found = overlaps(T_map_base, observation, map);
-  std::stable_sort(found.begin(), found.end(),
-                   [](const Overlap& a, const Overlap& b) { return a.length_m > b.length_m; });
+  std::ranges::stable_sort(found, std::greater{}, &Overlap::length_m);
   std::vector<Finding> findings;
   for (const Overlap& overlap : found) {
     findings.push_back({fmt::format("{:.2f} m of {} stand where the scan shows free space", overlap.length_m,

@@ -9,8 +9,7 @@ namespace {
 
 const LocalFeature* find(const LocalMap& map, LocalFeatureId id) {
   const auto& features = map.features();
-  const auto it = std::lower_bound(features.begin(), features.end(), id,
-                                   [](const LocalFeature& f, LocalFeatureId wanted) { return f.id < wanted; });
+  const auto it = std::ranges::lower_bound(features, id, {}, &LocalFeature::id);
   return it != features.end() && it->id == id ? &*it : nullptr;
 }
 

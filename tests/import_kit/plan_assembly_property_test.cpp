@@ -97,6 +97,5 @@ TEST_CASE("corners are where two faces share a point, and everything that shares
       CHECK(((ends[a].second - ends[b].second).norm() > 0.01) == (ends[a].first != ends[b].first));
   for (const MapFeature& feature : plan.map->features())
     if (std::holds_alternative<OrientedPoint>(feature.geometry))
-      CHECK(std::count_if(ends.begin(), ends.end(), [&](const auto& end) { return end.first == feature.points[0]; }) >=
-            2);
+      CHECK(std::ranges::count_if(ends, [&](const auto& end) { return end.first == feature.points[0]; }) >= 2);
 }

@@ -17,8 +17,7 @@ using Catch::Matchers::Contains;
 namespace {
 
 const Proposal* proposal_of(const Learned& learned, const std::string& id) {
-  const auto at =
-      std::find_if(learned.proposals.begin(), learned.proposals.end(), [&](const Proposal& p) { return p.id == id; });
+  const auto at = std::ranges::find_if(learned.proposals, [&](const Proposal& p) { return p.id == id; });
   return at == learned.proposals.end() ? nullptr : &*at;
 }
 
@@ -152,7 +151,7 @@ TEST_CASE("the order in which drives arrive, and arriving twice, changes no byte
                            {seen("wall-0", kMoved, {0, 0.3 + 0.01 * k}), seen("wall-2", kGone)},
                            {{{{2, 3 + 0.01 * k}, {5, 3}}, 6 + k, 0}}));
   const std::string once = overlay_of(*map, learned_from(*map, drives), kSensor, 0.9).dump();
-  std::reverse(drives.begin(), drives.end());
+  std::ranges::reverse(drives);
   CHECK(overlay_of(*map, learned_from(*map, drives), kSensor, 0.9).dump() == once);
   std::rotate(drives.begin(), drives.begin() + 2, drives.end());
   drives.push_back(drives.front());

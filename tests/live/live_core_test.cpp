@@ -24,8 +24,7 @@ struct Played {
   std::vector<std::string> said;  ///< words of health, each once
 
   bool says(const std::string& words) const {
-    return std::any_of(said.begin(), said.end(),
-                       [&](const std::string& each) { return each.find(words) != std::string::npos; });
+    return std::ranges::any_of(said, [&](const std::string& each) { return each.find(words) != std::string::npos; });
   }
 };
 
@@ -164,7 +163,7 @@ TEST_CASE("a laser that is described backwards is named, and nothing is called l
   const Played all = played(core, robot().arrivals);
   CHECK(all.says("laser FLASER"));
   const auto& health = all.answers.back().health;
-  CHECK(std::any_of(health.begin(), health.end(), [](const HealthFinding& finding) {
+  CHECK(std::ranges::any_of(health, [](const HealthFinding& finding) {
     return finding.level == HealthFinding::Level::bad && finding.words.find("laser FLASER") != std::string::npos;
   }));
   CHECK_FALSE(is_localized(all.answers.back()));

@@ -81,7 +81,6 @@ TEST_CASE("silence is told without any record") {
   REQUIRE(live.drain(60));
   std::this_thread::sleep_for(std::chrono::milliseconds(800));
   const std::vector<HealthFinding> health = live.newest().health;
-  CHECK(std::any_of(health.begin(), health.end(), [](const HealthFinding& finding) {
-    return finding.words.find("no odometry for") != std::string::npos;
-  }));
+  CHECK(std::ranges::any_of(
+      health, [](const HealthFinding& finding) { return finding.words.find("no odometry for") != std::string::npos; }));
 }

@@ -127,9 +127,8 @@ TEST_CASE("beams that met nothing are turned as the returns between them are") {
   CHECK(sample->views.front().scan.free_bearings_rad.front() == Approx(-kPi).margin(1e-6));
   CHECK(sample->views.front().scan.free_bearings_rad.back() < kPi);
   // The last beams turned on beyond the first ones.
-  const auto beyond = std::count_if(sample->views.front().scan.free_bearings_rad.begin(),
-                                    sample->views.front().scan.free_bearings_rad.end(),
-                                    [&](double bearing) { return bearing < -kPi + turned_rad - kPi / 180; });
+  const auto beyond = std::ranges::count_if(sample->views.front().scan.free_bearings_rad,
+                                            [&](double bearing) { return bearing < -kPi + turned_rad - kPi / 180; });
   CHECK(beyond > 7);
 }
 

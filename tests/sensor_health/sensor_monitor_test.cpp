@@ -80,7 +80,7 @@ SensorMonitors watched(const std::vector<Reading>& readings, const LaserModel& d
 
 bool contradicts(const SensorMonitors& monitor, Subject subject) {
   const auto& all = monitor.findings();
-  return std::any_of(all.begin(), all.end(), [&](const SensorFinding& finding) {
+  return std::ranges::any_of(all, [&](const SensorFinding& finding) {
     return finding.subject == subject && finding.verdict == Verdict::contradicted;
   });
 }
@@ -167,8 +167,7 @@ TEST_CASE("a laser that is turned by 30 degrees is noticed") {
 }
 
 TEST_CASE("beams that turn the other way are noticed") {
-  const auto readings = driven_with(
-      "office", [](Reading& reading) { std::reverse(reading.scan.ranges_m.begin(), reading.scan.ranges_m.end()); });
+  const auto readings = driven_with("office", [](Reading& reading) { std::ranges::reverse(reading.scan.ranges_m); });
   SensorMonitors monitor = watched(readings, true_laser());
   INFO(words(monitor));
   CHECK(contradicts(monitor, Subject::mirroring));

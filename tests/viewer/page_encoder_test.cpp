@@ -73,8 +73,7 @@ TEST_CASE("after thousands of frames a reader has every pose within half a step"
       const std::size_t shown = std::min(frame.hypotheses.size(), std::size_t(detail.most_hypotheses));
       REQUIRE(reader.rows().size() == shown);
       for (const auto& row : reader.rows()) {
-        const auto truth = std::find_if(frame.hypotheses.begin(), frame.hypotheses.end(),
-                                        [&](const auto& h) { return h.id == row.id; });
+        const auto truth = std::ranges::find_if(frame.hypotheses, [&](const auto& h) { return h.id == row.id; });
         REQUIRE(truth - frame.hypotheses.begin() < std::ptrdiff_t(shown));
         // Half a step in x and in y of the hypothesis's own frame.
         REQUIRE(distance_m(row.T_map_base, truth->T_map_base) <= detail.unit_m * std::sqrt(0.5) + 1e-9);

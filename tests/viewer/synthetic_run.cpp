@@ -277,8 +277,7 @@ class Run {
   void grow_some() {
     for (std::size_t k = 0; k < alternatives_.size(); k += 10) {
       Alternative& alternative = alternatives_[k];
-      if (std::find(alternative.known.begin(), alternative.known.end(), local_.back()) != alternative.known.end())
-        continue;
+      if (std::ranges::find(alternative.known, local_.back()) != alternative.known.end()) continue;
       auto grown = event("associated");
       grown["hypothesis"] = alternative.id;
       associate(alternative, local_.back(), grown["pairs"]);

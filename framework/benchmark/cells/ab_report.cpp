@@ -64,7 +64,7 @@ std::vector<st::ReportPage::Version> versions_of(const ordered_json& manifest) {
     const auto same = [&](const st::ReportPage::Version& v) {
       return v.name == version.name && v.file_hash == version.file_hash;
     };
-    if (std::none_of(versions.begin(), versions.end(), same)) versions.push_back(version);
+    if (std::ranges::none_of(versions, same)) versions.push_back(version);
   };
   for (const ordered_json& arm : manifest["arms"])
     for (const ordered_json& plugin : arm["plugins"]) {
@@ -123,8 +123,7 @@ std::vector<st::Metric> metrics_of(const ab::Experiment& experiment) {
   std::vector<st::Metric> metrics;
   const std::string names = opal::listed_by(known, &st::Metric::name);
   for (const std::string& name : experiment.metrics) {
-    const auto found =
-        std::find_if(known.begin(), known.end(), [&](const st::Metric& metric) { return metric.name == name; });
+    const auto found = std::ranges::find_if(known, [&](const st::Metric& metric) { return metric.name == name; });
     if (found == known.end())
       throw opal::ConfigError(experiment.file + ": /metrics: \"" + name + "\", expected one of " + names);
     metrics.push_back(*found);

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <functional>
 #include <iostream>
 
 namespace opal::benchmark {
@@ -59,15 +60,14 @@ std::vector<Contrast> contrasts_of(const ab::Experiment& experiment, const ab::C
       if (!ran || apart == 0) continue;
       std::vector<Contrast>& all = by_arm[arm];
       all.push_back({result.number / plan.arms(), arm, apart, deciding_s(cells[arm], baseline)});
-      std::stable_sort(all.begin(), all.end(), [](const Contrast& a, const Contrast& b) { return a.apart > b.apart; });
+      std::ranges::stable_sort(all, std::greater{}, &Contrast::apart);
       if (all.size() > kMostPerArm) all.resize(kMostPerArm);
     }
     cells.clear();
   });
   std::vector<Contrast> chosen;
   for (const auto& all : by_arm) chosen.insert(chosen.end(), all.begin(), all.end());
-  std::stable_sort(chosen.begin(), chosen.end(),
-                   [](const Contrast& a, const Contrast& b) { return a.task < b.task; });  // world by world
+  std::ranges::stable_sort(chosen, {}, &Contrast::task);  // world by world
   return chosen;
 }
 

@@ -13,8 +13,7 @@ namespace opal::benchmark {
 namespace {
 
 const opal::LocalFeature* find_local(const opal::LocalMap& map, opal::LocalFeatureId id) {
-  const auto it = std::find_if(map.features().begin(), map.features().end(),
-                               [&](const opal::LocalFeature& f) { return f.id == id; });
+  const auto it = std::ranges::find_if(map.features(), [&](const opal::LocalFeature& f) { return f.id == id; });
   return it == map.features().end() ? nullptr : &*it;
 }
 

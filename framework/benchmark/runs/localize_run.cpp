@@ -24,7 +24,7 @@ void print_errors(const RunRecord& record, const opal::GroundTruth& truth) {
     if (const auto pose = truth.T_map_laser_at(row.stamp_s)) errors.push_back(distance_m(*pose, row.T_map_laser));
   if (errors.empty()) return;
   const double last = errors.back();
-  std::sort(errors.begin(), errors.end());
+  std::ranges::sort(errors);
   fmt::print("error against the recorded truth: {:.3f} m now, median {:.3f} m, worst {:.3f} m over {} scans\n", last,
              errors[errors.size() / 2], errors.back(), errors.size());
 }
@@ -33,8 +33,7 @@ void print_errors(const RunRecord& record, const opal::GroundTruth& truth) {
 bool tells_distances_only(const std::vector<opal::SensorFinding>& findings) {
   using Subject = opal::SensorFinding::Subject;
   const auto tells = [&](Subject subject) {
-    return std::any_of(findings.begin(), findings.end(),
-                       [&](const auto& finding) { return finding.subject == subject; });
+    return std::ranges::any_of(findings, [&](const auto& finding) { return finding.subject == subject; });
   };
   return tells(Subject::odometry_distance) && !tells(Subject::odometry_turn) && !tells(Subject::mirroring);
 }

@@ -21,8 +21,8 @@ void for_each_scan(const RecordedLog& log, const Take& take) {
 }
 
 bool holds_scan(const RecordedLog& log) {
-  return std::any_of(log.records.begin(), log.records.end(),
-                     [](const opal::LogRecord& record) { return std::holds_alternative<opal::RawScan>(record); });
+  return std::ranges::any_of(
+      log.records, [](const opal::LogRecord& record) { return std::holds_alternative<opal::RawScan>(record); });
 }
 
 /// Of all scans, whatever order they have.
@@ -53,7 +53,7 @@ std::vector<opal::Pose2> odometry_of(const RecordedLog& log) {
 }
 
 bool stands_still(const std::vector<opal::Pose2>& poses) {
-  return std::all_of(poses.begin(), poses.end(), [&](const opal::Pose2& pose) {
+  return std::ranges::all_of(poses, [&](const opal::Pose2& pose) {
     return distance_m(pose, poses.front()) == 0 && pose.heading_rad() == poses.front().heading_rad();
   });
 }
@@ -61,9 +61,8 @@ bool stands_still(const std::vector<opal::Pose2>& poses) {
 std::size_t returns_in(const RecordedLog& log, double no_return_m) {
   std::size_t count = 0;
   for_each_scan(log, [&](const opal::RawScan& scan) {
-    count += static_cast<std::size_t>(std::count_if(scan.ranges_m.begin(), scan.ranges_m.end(), [&](float range_m) {
-      return range_m > 0 && opal::is_below(range_m, no_return_m);
-    }));
+    count += static_cast<std::size_t>(std::ranges::count_if(
+        scan.ranges_m, [&](float range_m) { return range_m > 0 && opal::is_below(range_m, no_return_m); }));
   });
   return count;
 }

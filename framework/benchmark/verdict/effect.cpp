@@ -23,7 +23,7 @@ std::vector<ClusterSum> sums_of(Pairs pairs, std::span<const double> scores, Ind
 }
 
 std::size_t nonzero(std::span<const double> scores) {
-  return static_cast<std::size_t>(std::count_if(scores.begin(), scores.end(), [](double score) { return score != 0; }));
+  return static_cast<std::size_t>(std::ranges::count_if(scores, [](double score) { return score != 0; }));
 }
 
 /// The cluster-robust t-test, but nothing that so few scores cannot carry.
@@ -89,17 +89,16 @@ double lowest(const std::vector<double>& values, std::size_t middle, const Allow
 Interval median_interval(Pairs pairs, Independent independent, double level) {
   const std::vector<double> all = differences(pairs);
   std::vector<double> values = all;
-  std::sort(values.begin(), values.end());
+  std::ranges::sort(values);
   const double middle = values[values.size() / 2];
   const auto allowed = [&](double candidate) { return may_be_median(candidate, pairs, all, independent, level); };
   const auto end = [&](double infinite) {
     if (allowed(infinite)) return infinite;
     values.erase(std::unique(values.begin(), values.end()), values.end());
-    return lowest(values, static_cast<std::size_t>(std::find(values.begin(), values.end(), middle) - values.begin()),
-                  allowed);
+    return lowest(values, static_cast<std::size_t>(std::ranges::find(values, middle) - values.begin()), allowed);
   };
   const double low = end(-kInfinite);
-  std::reverse(values.begin(), values.end());
+  std::ranges::reverse(values);
   return {low, end(kInfinite)};
 }
 

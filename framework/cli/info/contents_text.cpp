@@ -160,8 +160,7 @@ std::string frame_lines(const LogContents& contents) {
 
 /// A sweep that cannot be true. Its laser is named by its topic.
 std::string sweep_doubt(const LogLaser& laser, const std::vector<LogTopic>& topics) {
-  const auto topic =
-      std::find_if(topics.begin(), topics.end(), [&](const LogTopic& named) { return named.name == laser.topic; });
+  const auto topic = std::ranges::find_if(topics, [&](const LogTopic& named) { return named.name == laser.topic; });
   const double interval_s = topic == topics.end() ? 0 : topic->interval_s;
   if (!laser.is_read || is_possible_sweep(laser.sweep_s, interval_s)) return "";
   return "  laser " + laser.topic +

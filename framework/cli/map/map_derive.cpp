@@ -23,8 +23,7 @@ struct DeriveOptions {
 };
 
 bool has_doors(const SemanticMap& map) {
-  return std::any_of(map.features().begin(), map.features().end(),
-                     [&](const MapFeature& feature) { return is_door_leaf(map, feature); });
+  return std::ranges::any_of(map.features(), [&](const MapFeature& feature) { return is_door_leaf(map, feature); });
 }
 
 void draw(const Derivation& derivation, const DeriveOptions& options) {

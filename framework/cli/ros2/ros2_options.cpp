@@ -19,8 +19,7 @@ nlohmann::json recording_options(const Deployment& deployment) {
   nlohmann::json options{
       {"scan_topic", ""}, {"scan_topics", ""}, {"odometry_topic", ""}, {"odom_frame", "odom"}, {"base_frame", ""}};
   for (const PartConfig& source : deployment.log_sources)
-    if (std::count(kSourcesOfRobot.begin(), kSourcesOfRobot.end(), source.type) > 0)
-      options.merge_patch(source.options);
+    if (std::ranges::count(kSourcesOfRobot, source.type) > 0) options.merge_patch(source.options);
   return options;
 }
 
@@ -131,8 +130,7 @@ std::string Ros2Options::topic(const std::string& option, const std::string& nam
 /// for one of them.
 std::vector<LaserModel> Ros2Options::lasers_of(const Deployment& deployment) const {
   std::vector<LaserModel> lasers = deployment.lasers;
-  if (std::none_of(lasers.begin(), lasers.end(), [](const LaserModel& laser) { return laser.slice.has_value(); }))
-    return lasers;
+  if (std::ranges::none_of(lasers, [](const LaserModel& laser) { return laser.slice.has_value(); })) return lasers;
   if (!scan_topics.empty() && scan_topics.size() != lasers.size())
     throw ConfigError("--scan-topic: given " + std::to_string(scan_topics.size()) +
                       " times, expected once for each of " + std::to_string(lasers.size()) +
@@ -166,10 +164,9 @@ bool Ros2Options::names_scans(const Deployment& deployment) const {
 
 bool Ros2Options::states_odom_frame(const Deployment& deployment) const {
   const auto states = [](const PartConfig& source) {
-    return std::count(kSourcesOfRobot.begin(), kSourcesOfRobot.end(), source.type) > 0 &&
-           source.options.contains("odom_frame");
+    return std::ranges::count(kSourcesOfRobot, source.type) > 0 && source.options.contains("odom_frame");
   };
-  return !odom_frame.empty() || std::any_of(deployment.log_sources.begin(), deployment.log_sources.end(), states);
+  return !odom_frame.empty() || std::ranges::any_of(deployment.log_sources, states);
 }
 
 std::string Ros2Options::sources_doubt(const Deployment& deployment) const {

@@ -19,8 +19,7 @@ constexpr std::array<std::string_view, 8> kNoTerms{"@base",      "@direction", "
                                                    "@propagate", "@protected", "@version", "@vocab"};
 
 bool has_protected_terms(const ActiveContext& active) {
-  return std::any_of(active.terms.begin(), active.terms.end(),
-                     [](const auto& term) { return term.second->is_protected; });
+  return std::ranges::any_of(active.terms, [](const auto& term) { return term.second->is_protected; });
 }
 
 bool read_boolean(const Json& value, const std::string& code, const Place& place) {
@@ -118,7 +117,7 @@ ContextReader::Building ContextReader::clear(const Building& current, const Plac
 ContextReader::Building ContextReader::read_remote(const Building& current, const std::string& reference,
                                                    const Place& place, const ContextUse& use) {  // 5.2
   const std::string iri = resolve_iri(use.base, reference);
-  const bool seen = std::find(use.remote.begin(), use.remote.end(), iri) != use.remote.end();
+  const bool seen = std::ranges::find(use.remote, iri) != use.remote.end();
   if (!use.validate_scoped && seen) return current;
   if (use.remote.size() >= kMaxRemoteDepth)
     throw JsonLdError("context overflow", place.pointer(), "contexts that name each other, the last one <" + iri + ">");
@@ -184,7 +183,7 @@ void ContextReader::define_terms(ActiveContext& result, const Json& local, const
     if (read_boolean(local["@protected"], "invalid @protected value", place.at("@protected")))
       terms.protect(TermReader::Protection::all);
   for (const auto& [term, definition] : local.items())
-    if (std::find(kNoTerms.begin(), kNoTerms.end(), term) == kNoTerms.end()) terms.define(term);
+    if (std::ranges::find(kNoTerms, term) == kNoTerms.end()) terms.define(term);
 }
 
 ContextPtr ContextReader::read_scoped(const ContextPtr& active, const TermDefinition& definition, const Place& place,

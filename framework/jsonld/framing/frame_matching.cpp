@@ -18,9 +18,7 @@ bool is_wildcard(const Json& pattern) {
   return pattern.is_array() && pattern.size() == 1 && pattern[0].is_object() && pattern[0].empty();
 }
 
-bool contains(const Json& array, const Json& value) {
-  return std::find(array.begin(), array.end(), value) != array.end();
-}
+bool contains(const Json& array, const Json& value) { return std::ranges::find(array, value) != array.end(); }
 
 /// Whether what a value says under a key is what its pattern wants there.
 bool entry_matches(const Json& value, const Json& pattern, const char* key) {
@@ -32,7 +30,7 @@ bool entry_matches(const Json& value, const Json& pattern, const char* key) {
 
 template <class Matches>
 bool any_of(const Json& values, Matches matches) {
-  return std::any_of(values.begin(), values.end(), matches);
+  return std::ranges::any_of(values, matches);
 }
 
 }  // namespace

@@ -53,8 +53,7 @@ std::vector<ScorerEnsemble::NamedFinding> ScorerEnsemble::explain(const Hypothes
 }
 
 bool ScorerEnsemble::judges_associations() const {
-  return std::any_of(scorers_.begin(), scorers_.end(),
-                     [](const ActiveScorer& s) { return s.part->judges_associations(); });
+  return std::ranges::any_of(scorers_, [](const ActiveScorer& s) { return s.part->judges_associations(); });
 }
 
 double ScorerEnsemble::decide(const Hypothesis& hypothesis, const Observation& observation) const {

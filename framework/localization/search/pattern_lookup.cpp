@@ -28,8 +28,7 @@ std::size_t most_places_in_time(const SearchOptions& options) {
 /// Those that are expected least often, as long as they have no more places together; the fewest in any case, unless
 /// they have a multiple of that: a few rare ones are soon looked up, and the next scan has others.
 void keep_rarest(std::vector<PatternLookup>& lookups, std::size_t most_places, std::size_t fewest) {
-  std::stable_sort(lookups.begin(), lookups.end(),
-                   [](const PatternLookup& a, const PatternLookup& b) { return a.expected < b.expected; });
+  std::ranges::stable_sort(lookups, {}, &PatternLookup::expected);
   constexpr std::size_t kMultiple = 5;
   std::size_t places = 0, kept = 0;
   for (const PatternLookup& lookup : lookups) {
@@ -47,7 +46,7 @@ std::vector<PatternLookup> shortlist(const MappedTemplate& mapped, TemplateNumbe
   std::vector<PatternLookup> lookups;
   for (PatternInstance& observed : find_patterns(*mapped.part, features))
     if (kind_of(observed) == kind) lookups.push_back({pattern, std::move(observed), 0});
-  std::stable_sort(lookups.begin(), lookups.end(), [&](const PatternLookup& a, const PatternLookup& b) {
+  std::ranges::stable_sort(lookups, [&](const PatternLookup& a, const PatternLookup& b) {
     return support_of(a.observed, features) > support_of(b.observed, features);
   });
   const bool is_free = kind == PatternKind::under_constrained;
@@ -65,15 +64,13 @@ std::vector<PatternLookup> shortlist(const MappedTemplate& mapped, TemplateNumbe
 /// (Algorithm 3, Hendrikx 2023).
 void leave_out_parts(std::vector<PatternLookup>& chosen) {
   const auto is_part = [](const std::vector<int>& part, const std::vector<int>& whole) {
-    return part.size() < whole.size() && std::all_of(part.begin(), part.end(), [&](int member) {
-             return std::find(whole.begin(), whole.end(), member) != whole.end();
-           });
+    return part.size() < whole.size() &&
+           std::ranges::all_of(part, [&](int member) { return std::ranges::find(whole, member) != whole.end(); });
   };
   std::vector<std::vector<int>> wholes;
   for (const PatternLookup& lookup : chosen) wholes.push_back(lookup.observed.members);
   std::erase_if(chosen, [&](const PatternLookup& lookup) {
-    return std::any_of(wholes.begin(), wholes.end(),
-                       [&](const auto& whole) { return is_part(lookup.observed.members, whole); });
+    return std::ranges::any_of(wholes, [&](const auto& whole) { return is_part(lookup.observed.members, whole); });
   });
 }
 

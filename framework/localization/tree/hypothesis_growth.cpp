@@ -25,8 +25,7 @@ bool knows(const Live& live, LocalFeatureId local_feature) {
 
 const LocalFeature* find_local(const LocalMap& map, LocalFeatureId id) {
   const auto& all = map.features();
-  const auto it = std::lower_bound(all.begin(), all.end(), id,
-                                   [](const LocalFeature& f, LocalFeatureId wanted) { return f.id < wanted; });
+  const auto it = std::ranges::lower_bound(all, id, {}, &LocalFeature::id);
   return it != all.end() && it->id == id ? &*it : nullptr;
 }
 

@@ -148,9 +148,8 @@ std::vector<std::pair<MapFeatureNumber, MapFeatureNumber>> duplicate_features(co
     for (std::size_t k = 0; k < points.size(); ++k) places[k] = near_points.place_of(points[k]);
     std::vector<MapFeatureNumber>& others =
         features_at[{places[0], places[1], feature.geometry.index(), feature.sensor}];
-    const auto same = std::find_if(others.begin(), others.end(), [&](MapFeatureNumber other) {
-      return alike(map.feature(other).geometry, feature.geometry);
-    });
+    const auto same = std::ranges::find_if(
+        others, [&](MapFeatureNumber other) { return alike(map.feature(other).geometry, feature.geometry); });
     if (same != others.end())
       pairs.emplace_back(*same, MapFeatureNumber(i));
     else
@@ -218,8 +217,7 @@ int count_shared_points(const SemanticMap& map) {
       const auto [entry, is_new] = first_feature.try_emplace(point, &feature.id, false);
       if (*entry->second.first != feature.id) entry->second.second = true;
     }
-  return static_cast<int>(
-      std::count_if(first_feature.begin(), first_feature.end(), [](const auto& entry) { return entry.second.second; }));
+  return static_cast<int>(std::ranges::count_if(first_feature, [](const auto& entry) { return entry.second.second; }));
 }
 
 }  // namespace opal

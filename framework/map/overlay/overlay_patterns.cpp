@@ -28,8 +28,8 @@ class PatternAdapter {
     std::vector<MapPattern> kept;
     for (MapPattern pattern : map_.patterns()) {
       if (broken_.contains(pattern.id)) continue;
-      if (!pattern.dimensions.empty() && std::any_of(pattern.features.begin(), pattern.features.end(),
-                                                     [&](MapFeatureNumber i) { return is_moved(i); })) {
+      if (!pattern.dimensions.empty() &&
+          std::ranges::any_of(pattern.features, [&](MapFeatureNumber i) { return is_moved(i); })) {
         pattern.dimensions.clear();
         sentences.push_back(pattern.id + ": pattern without the dimensions that it had, as a member was moved");
       }
@@ -56,8 +56,7 @@ class PatternAdapter {
     };
     for (const MapPattern& pattern : map_.patterns()) {
       for (const std::string& part : pattern.subpatterns) wholes[part].push_back(pattern.id);
-      const auto lost = std::find_if(pattern.features.begin(), pattern.features.end(),
-                                     [&](MapFeatureNumber i) { return is_lost(i); });
+      const auto lost = std::ranges::find_if(pattern.features, [&](MapFeatureNumber i) { return is_lost(i); });
       if (lost != pattern.features.end())
         leave_out(pattern.id, "its member '" + map_.feature(*lost).id + "' is no longer perceivable");
     }

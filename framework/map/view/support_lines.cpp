@@ -4,6 +4,7 @@
 #include <boost/geometry/index/rtree.hpp>
 
 #include <algorithm>
+#include <functional>
 #include <optional>
 
 namespace opal {
@@ -153,7 +154,7 @@ FaceTree tree_of(const std::vector<Line>& lines, bool only_new) {
 /// One pass: longer lines absorb shorter ones. Two lines of which neither is new did not go on in each other in the
 /// pass before. True if any was absorbed.
 bool absorb_once(std::vector<Line>& lines, const SupportLineOptions& options) {
-  std::stable_sort(lines.begin(), lines.end(), [](const Line& a, const Line& b) { return a.support_m > b.support_m; });
+  std::ranges::stable_sort(lines, std::greater{}, &Line::support_m);
   const FaceTree all = tree_of(lines, false), fresh = tree_of(lines, true);
   std::vector<bool> gone(lines.size(), false), grown(lines.size(), false);
   bool any = false;

@@ -66,7 +66,7 @@ class Painting {
               {static_cast<std::uint32_t>(row * layout_.columns + column), static_cast<std::uint32_t>(k)});
       }
     }
-    std::stable_sort(touches.begin(), touches.end(), [](const Touch& a, const Touch& b) { return a.tile < b.tile; });
+    std::ranges::stable_sort(touches, {}, &Touch::tile);
     return touches;
   }
 

@@ -61,9 +61,8 @@ class Vandal {
       const bool chosen = uniform(0, 1) < damage_.wall_share;
       const double by_m = uniform(-damage_.wall_m, damage_.wall_m);
       if (!chosen) continue;
-      const std::size_t longest = *std::max_element(faces.begin(), faces.end(), [&](std::size_t a, std::size_t b) {
-        return segment(a)->length_m() < segment(b)->length_m();
-      });
+      const std::size_t longest = *std::ranges::max_element(
+          faces, [&](std::size_t a, std::size_t b) { return segment(a)->length_m() < segment(b)->length_m(); });
       for (std::size_t k : faces) moved_by_[k] += by_m * segment(longest)->normal();
     }
   }
@@ -86,7 +85,7 @@ class Vandal {
     for (const auto& [name, users] : users_) {
       std::vector<std::size_t> faces;
       for (std::size_t k : users)
-        if (!gone_[k] && segment(k) && std::find(faces.begin(), faces.end(), k) == faces.end()) faces.push_back(k);
+        if (!gone_[k] && segment(k) && std::ranges::find(faces, k) == faces.end()) faces.push_back(k);
       if (faces.empty()) continue;
       for (std::size_t k : users) {
         const std::vector<Point*> points = points_of(after[k].geometry);

@@ -126,8 +126,7 @@ class Judging {
       if (finding.words.empty()) violations_.add("finding", "explains " + name + " with a finding without words");
       if (finding.map_feature >= MapFeatureNumber(view.map().features().size()))
         violations_.add("finding", "explains " + name + " with a mapped feature that does not exist");
-      const bool finite =
-          std::all_of(finding.line.begin(), finding.line.end(), [](const Point& p) { return p.allFinite(); });
+      const bool finite = std::ranges::all_of(finding.line, [](const Point& p) { return p.allFinite(); });
       if (!finite || (finding.line.size() != 0 && finding.line.size() != 2))
         violations_.add("finding", "explains " + name + " with a line that is not two finite points");
     }

@@ -13,8 +13,7 @@ std::string with_slash(const std::string& name) { return name.starts_with('/') ?
 
 bool is_word(const std::string& word) {
   const auto fits = [](unsigned char c) { return std::isalnum(c) != 0 || c == '_'; };
-  return !word.empty() && std::isdigit(static_cast<unsigned char>(word[0])) == 0 &&
-         std::all_of(word.begin(), word.end(), fits);
+  return !word.empty() && std::isdigit(static_cast<unsigned char>(word[0])) == 0 && std::ranges::all_of(word, fits);
 }
 
 std::string with_slashes_for_colons(std::string text) {

@@ -21,8 +21,7 @@ struct Motion {
 /// By increasing stamp. Stamps of zero are of a driver without a clock, and cannot be compared.
 void put_in_order(std::vector<StampedPose>& poses) {
   std::erase_if(poses, [](const StampedPose& pose) { return !(pose.stamp_s > 0); });
-  std::stable_sort(poses.begin(), poses.end(),
-                   [](const StampedPose& a, const StampedPose& b) { return a.stamp_s < b.stamp_s; });
+  std::ranges::stable_sort(poses, {}, &StampedPose::stamp_s);
 }
 
 Motion motion_of(const OdometrySource& source, double begin_s, double end_s) {

@@ -48,8 +48,8 @@ void falsify_odometry(std::vector<Arrival>& arrivals, const FaultWindow& window,
   std::vector<Arrival*> by_stamp;
   for (Arrival& arrival : arrivals)
     if (odometry_in(arrival.record)) by_stamp.push_back(&arrival);
-  std::stable_sort(by_stamp.begin(), by_stamp.end(),
-                   [](Arrival* a, Arrival* b) { return *stamp_in(a->record) < *stamp_in(b->record); });
+  std::ranges::stable_sort(by_stamp,
+                           [](Arrival* a, Arrival* b) { return *stamp_in(a->record) < *stamp_in(b->record); });
   WrongOdometry wrong(steps);
   for (Arrival* arrival : by_stamp) {
     const double stamp_s = *stamp_in(arrival->record);
@@ -104,8 +104,7 @@ std::vector<Arrival> arrivals_of(const std::vector<LogRecord>& records, double s
     const double known_s = stamp_s ? *stamp_s + (is_scan ? sweep_s + kScanAfter_s : kOdometryAfter_s) : 0;
     arrivals.push_back({known_s, std::move(record)});
   }
-  std::stable_sort(arrivals.begin(), arrivals.end(),
-                   [](const Arrival& a, const Arrival& b) { return a.at_s < b.at_s; });
+  std::ranges::stable_sort(arrivals, {}, &Arrival::at_s);
   return arrivals;
 }
 
@@ -124,7 +123,7 @@ std::vector<Arrival> with_fault(std::vector<Arrival> arrivals, Fault fault, cons
     else
       faulty.push_back(std::move(arrival));
   }
-  std::stable_sort(faulty.begin(), faulty.end(), [](const Arrival& a, const Arrival& b) { return a.at_s < b.at_s; });
+  std::ranges::stable_sort(faulty, {}, &Arrival::at_s);
   return faulty;
 }
 

@@ -33,7 +33,7 @@ void add(std::vector<Known>& known, const Recording& recording) {
 std::vector<LogRecord> records_of(const Recording& recording) {
   std::vector<Known> known;
   add(known, recording);
-  std::stable_sort(known.begin(), known.end(), [](const Known& a, const Known& b) { return a.at_s < b.at_s; });
+  std::ranges::stable_sort(known, {}, &Known::at_s);
   std::vector<LogRecord> records;
   for (Known& each : known) records.push_back(std::move(each.record));
   return records;

@@ -35,8 +35,8 @@ const RecordedSearch::Rejected* best_rejected(const RecordedSearch& search) {
     return std::make_tuple(-rejected.nat, rejected.T_map_base.x(), rejected.T_map_base.y(),
                            rejected.T_map_base.heading_rad());
   };
-  const auto it = std::min_element(search.rejected.begin(), search.rejected.end(),
-                                   [&](const auto& a, const auto& b) { return rank(a) < rank(b); });
+  const auto it =
+      std::ranges::min_element(search.rejected, [&](const auto& a, const auto& b) { return rank(a) < rank(b); });
   return it == search.rejected.end() ? nullptr : &*it;
 }
 
@@ -51,8 +51,7 @@ std::string search_text(const RecordedSearch& search, double searched_s) {
 
 std::string senses_text(const ExplainedMoment& moment) {
   const auto& locals = moment.state.local_features();
-  const auto stable =
-      std::count_if(locals.begin(), locals.end(), [](const auto& entry) { return entry.second.stable; });
+  const auto stable = std::ranges::count_if(locals, [](const auto& entry) { return entry.second.stable; });
   return fmt::format("the scan has {} (thinned), the local map {}, {} of them stable",
                      count_of(moment.state.frame().scan.size(), "point"), count_of(locals.size(), "feature"), stable);
 }

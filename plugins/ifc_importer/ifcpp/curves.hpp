@@ -71,7 +71,7 @@ class Curves {
       points = of_conic(ellipse, from_rad, sweep_rad(from_rad, angle_on(ellipse, end), forward));
     } else {
       points = this->points(curve);
-      if (points.size() > 1 && !is_same(points.front(), begin)) std::reverse(points.begin(), points.end());
+      if (points.size() > 1 && !is_same(points.front(), begin)) std::ranges::reverse(points);
     }
     if (points.size() < 2 || !is_same(points.front(), begin) || !is_same(points.back(), end))
       throw Unreadable("an edge that is not the whole of its curve, or beside it");
@@ -146,11 +146,10 @@ class Curves {
       if (!segment) throw Unreadable("a composite curve that lacks a segment");
       std::vector<Point3> part = this->points(segment->m_ParentCurve, depth + 1);
       if (part.empty()) continue;
-      if (segment->m_SameSense && !segment->m_SameSense->m_value) std::reverse(part.begin(), part.end());
-      if (parts++ == 1 && !has_end(part, points.back()) && has_end(part, points.front()))
-        std::reverse(points.begin(), points.end());
+      if (segment->m_SameSense && !segment->m_SameSense->m_value) std::ranges::reverse(part);
+      if (parts++ == 1 && !has_end(part, points.back()) && has_end(part, points.front())) std::ranges::reverse(points);
       if (parts > 1 && !is_same(part.front(), points.back()) && is_same(part.back(), points.back()))
-        std::reverse(part.begin(), part.end());
+        std::ranges::reverse(part);
       append(part, points);
     }
     return points;

@@ -68,8 +68,7 @@ TEST_CASE("places are kept as by a comparison of each with all that are kept, th
   const PlaceTolerance apart{0.5, 0.3};
   std::vector<std::size_t> expected;
   for (std::size_t k = 0; k < poses.size(); ++k)
-    if (std::none_of(expected.begin(), expected.end(),
-                     [&](std::size_t kept) { return apart.same(poses[kept], poses[k]); }))
+    if (std::ranges::none_of(expected, [&](std::size_t kept) { return apart.same(poses[kept], poses[k]); }))
       expected.push_back(k);
   REQUIRE(expected.size() > 50);
   CHECK(distinct_places(poses, apart, 1000) == expected);

@@ -15,10 +15,9 @@ namespace {
 /// Whether each of `some` is among `all`.
 bool all_among(const std::vector<VerifiedCandidate>& some, const Pose2& motion,
                const std::vector<VerifiedCandidate>& all) {
-  return std::all_of(some.begin(), some.end(), [&](const VerifiedCandidate& each) {
+  return std::ranges::all_of(some, [&](const VerifiedCandidate& each) {
     const Pose2 pose = motion * each.candidate.T_map_base;
-    return std::any_of(all.begin(), all.end(),
-                       [&](const VerifiedCandidate& other) { return is_at(other, pose, 0.1, 0.05); });
+    return std::ranges::any_of(all, [&](const VerifiedCandidate& other) { return is_at(other, pose, 0.1, 0.05); });
   });
 }
 
@@ -73,8 +72,8 @@ TEST_CASE("a candidate says what its pattern is on the map") {
   CHECK(searching.search.pattern_name(best.pattern) == "corner");
   REQUIRE(best.pairs.size() == 1);
   const auto& local = searching.robot.local_map().features();
-  const auto seen = std::find_if(local.begin(), local.end(),
-                                 [&](const LocalFeature& each) { return each.id == best.pairs[0].local_feature; });
+  const auto seen =
+      std::ranges::find_if(local, [&](const LocalFeature& each) { return each.id == best.pairs[0].local_feature; });
   REQUIRE(seen != local.end());
   const Geometry placed = transformed(searching.robot.truth().T_map_local, seen->feature.geometry);
   CHECK(distance_m(searching.map->feature(best.pairs[0].map_feature).geometry, anchor_of(placed)) < 0.05);
@@ -283,9 +282,9 @@ TEST_CASE("a place on another storey is a candidate, unless the region leaves it
               upper = find_storey(house->map(), "upper")->to_map(kTruth);
   const auto is_upper = [&](const VerifiedCandidate& each) { return is_at(each, upper); };
   const auto anywhere = Searching(house, lower, {}).find().candidates;
-  CHECK(std::any_of(anywhere.begin(), anywhere.end(), is_upper));
+  CHECK(std::ranges::any_of(anywhere, is_upper));
   const auto found = Searching(house, lower, in_region(lower.position(), 8)).find().candidates;
   REQUIRE_FALSE(found.empty());
   CHECK(is_at(found.front(), lower));
-  CHECK(std::none_of(found.begin(), found.end(), is_upper));
+  CHECK(std::ranges::none_of(found, is_upper));
 }

@@ -96,9 +96,8 @@ std::set<HypothesisId> ids(std::initializer_list<int> numbers) {
 }
 
 bool best_first(const std::vector<Live>& alive) {
-  return std::is_sorted(alive.begin(), alive.end(), [](const Live& a, const Live& b) {
-    return a.hypothesis.log_likelihood > b.hypothesis.log_likelihood;
-  });
+  return std::ranges::is_sorted(
+      alive, [](const Live& a, const Live& b) { return a.hypothesis.log_likelihood > b.hypothesis.log_likelihood; });
 }
 
 std::set<HypothesisId> ids_of(const std::vector<Live>& alive) {
@@ -550,8 +549,7 @@ struct Latecomer {
   }
   double nat_of(HypothesisId id) const {
     const auto& alive = scene.set.alive();
-    const auto found =
-        std::find_if(alive.begin(), alive.end(), [&](const Live& live) { return live.hypothesis.id == id; });
+    const auto found = std::ranges::find_if(alive, [&](const Live& live) { return live.hypothesis.id == id; });
     REQUIRE(found != alive.end());
     return found->hypothesis.log_likelihood;
   }

@@ -90,8 +90,8 @@ TEST_CASE("features that no detector produces are said to stay unseen") {
   MapFeature odd = feature("w", kWall);
   odd.type = "acme:Skirting";
   const PipelinePlan plan = plan_pipeline(*map_of({odd}), "lidar", kTypes);
-  CHECK(std::count(plan.reasons.begin(), plan.reasons.end(),
-                   "acme:Skirting: no detector produces it; 1 features of the map stay unseen") == 1);
+  CHECK(std::ranges::count(plan.reasons, "acme:Skirting: no detector produces it; 1 features of the map stay unseen") ==
+        1);
 }
 
 TEST_CASE("a check counts what the example room holds and finds only its door unrepresented") {
@@ -167,8 +167,8 @@ TEST_CASE("a face that was drawn backward is warned about, faces of a room and o
   };
   const auto about_faces = [](const SemanticMap& map) {
     const Names warnings = check_map(map).warnings;
-    return std::count(warnings.begin(), warnings.end(),
-                      "1 face whose neighbours all run the other way, are begin and end exchanged?: 'south'");
+    return std::ranges::count(warnings,
+                              "1 face whose neighbours all run the other way, are begin and end exchanged?: 'south'");
   };
   CHECK(about_faces(*room({{0, 0}, {4, 0}})) == 0);
   CHECK(about_faces(*room({{4, 0}, {0, 0}})) == 1);
@@ -190,9 +190,7 @@ TEST_CASE("a check names storeys and lifts, and says that there is nothing to wa
                                       feature("top/b", Segment{{204, 0}, {204, 3}})};
   std::vector<std::string> sentences =
       check_map(*SemanticMap::make("house", {{"low/thing", "opal:Wall"}}, faces, {}, origin)).sentences();
-  const auto says = [&](const std::string& wanted) {
-    return std::count(sentences.begin(), sentences.end(), wanted) == 1;
-  };
+  const auto says = [&](const std::string& wanted) { return std::ranges::count(sentences, wanted) == 1; };
   CHECK(says("2 storeys: low (2 features), top (2 features)"));
   CHECK(says("1 connection: 1 opal:Lift"));
   CHECK(check_map(*SemanticMap::read(OPAL_SOURCE_DIR "/maps/example_room.jsonld")).sentences().back() ==
@@ -231,7 +229,7 @@ TEST_CASE("a map of which no sensor perceives anything is warned of, also if it 
                              {feature("pane/line-1", kWall, ""), feature("pane/line-2", kColumn, sensor)}, {});
   };
   const auto warnings = check_map(*map_with("")).warnings;
-  CHECK(std::find(warnings.begin(), warnings.end(), warning) != warnings.end());
+  CHECK(std::ranges::find(warnings, warning) != warnings.end());
   const auto seen = check_map(*map_with("lidar")).warnings;
-  CHECK(std::find(seen.begin(), seen.end(), warning) == seen.end());
+  CHECK(std::ranges::find(seen, warning) == seen.end());
 }

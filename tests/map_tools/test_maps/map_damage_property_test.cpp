@@ -9,9 +9,8 @@ using namespace opal;
 namespace {
 
 int segments_in(const SemanticMap& map) {
-  return static_cast<int>(std::count_if(map.features().begin(), map.features().end(), [](const MapFeature& f) {
-    return std::holds_alternative<Segment>(f.geometry);
-  }));
+  return static_cast<int>(std::ranges::count_if(
+      map.features(), [](const MapFeature& f) { return std::holds_alternative<Segment>(f.geometry); }));
 }
 
 std::shared_ptr<const SemanticMap> worse(const std::string& text, std::uint64_t seed = 1) {

@@ -169,8 +169,7 @@ TEST_CASE("noise of a cell moves no face by more than a fifth of one") {
   const auto map = import(grid).map;
   CAPTURE(text_of(*map));
   const auto faces = all<Segment>(*map);
-  const auto longest = std::max_element(faces.begin(), faces.end(),
-                                        [](const Segment& a, const Segment& b) { return a.length_m() < b.length_m(); });
+  const auto longest = std::ranges::max_element(faces, {}, &Segment::length_m);
   REQUIRE(longest != faces.end());
   CHECK(longest->length_m() == Approx(0.05 * 279).margin(0.15));
   CHECK(longest->midpoint().y() == Approx(centre(0, 29).y()).margin(0.01));

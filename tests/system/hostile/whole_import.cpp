@@ -90,9 +90,8 @@ std::string whole_map(const opal::SemanticMap& map, const std::string& text) {
 std::string whole_ifc(const opal::MapImport& imported, const std::string& text) {
   const std::size_t end = text.find_last_not_of(" \t\r\n");
   if (end == std::string::npos || !std::string_view(text).substr(0, end + 1).ends_with("END-ISO-10303-21;")) {
-    const bool is_told = std::any_of(imported.report.begin(), imported.report.end(), [](const std::string& sentence) {
-      return sentence.starts_with("doubtful: the file ");
-    });
+    const bool is_told = std::ranges::any_of(
+        imported.report, [](const std::string& sentence) { return sentence.starts_with("doubtful: the file "); });
     return is_told ? contradiction(imported) : "the file does not end as it should, and nobody is told";
   }
   static const std::regex kElement(R"(#\d+\s*=\s*IFC(WALL|WALLSTANDARDCASE|COLUMN|DOOR|WINDOW)\s*\()");

@@ -93,7 +93,7 @@ void check_rests_on(const std::string& text, const StreamBooks& books) {
     const std::smatch& each = *it;
     CHECK(books.types.at(each[2]) == "opal:" + each[1].str());
     const auto& all = by_object.at(each[2]);
-    check_number(each[3], *std::min_element(all.begin(), all.end()), 2);
+    check_number(each[3], *std::ranges::min_element(all), 2);
     CHECK(std::stod(each[3]) >= last);
     last = std::stod(each[3]);
   }
@@ -191,8 +191,7 @@ void check_search(const std::string& text, const StreamBooks& books) {
   const auto tail =
       match(text, R"(proposed, (\d+) rejected, the best of these at \((\S+), (\S+)\) with (\S+) nat: (.*)$)");
   CHECK(std::stoul(tail[1]) == rejected.size());
-  CHECK(std::any_of(rejected.begin(), rejected.end(),
-                    [&](const ordered_json& r) { return r["reason"] == tail[5].str(); }));
+  CHECK(std::ranges::any_of(rejected, [&](const ordered_json& r) { return r["reason"] == tail[5].str(); }));
 }
 
 void check_note(const std::string& text, const StreamBooks& books) {
@@ -204,7 +203,7 @@ void check_note(const std::string& text, const StreamBooks& books) {
       match(text, R"(has (\d+) points? \(thinned\), the local map (\d+) features?, (\d+) of them stable$)");
   CHECK(2 * std::stoul(said[1]) == books.keyframe["scan"].size());
   CHECK(std::stoul(said[2]) == books.local.size());
-  CHECK(std::stol(said[3]) == std::count_if(books.local.begin(), books.local.end(), [](const auto& entry) {
+  CHECK(std::stol(said[3]) == std::ranges::count_if(books.local, [](const auto& entry) {
           return entry.second["stable"].template get<bool>();
         }));
 }

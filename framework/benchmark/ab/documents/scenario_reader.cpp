@@ -37,8 +37,7 @@ std::string read_damage(ConfigObject& object) {
 
 void expect_name(const std::string& name, const ConfigObject& object, const std::string& key) {
   const auto allowed = [](unsigned char c) { return std::isalnum(c) || c == '_' || c == '-' || c == '.'; };
-  if (name.empty() || !std::all_of(name.begin(), name.end(), allowed))
-    object.refuse(key, "a name of letters, digits, _, - and .");
+  if (name.empty() || !std::ranges::all_of(name, allowed)) object.refuse(key, "a name of letters, digits, _, - and .");
 }
 
 Scenario read_site(ConfigObject object, const std::string& file, int seeds) {
@@ -62,7 +61,7 @@ simulation::BuildingRequest read_building(ConfigObject object) {
   simulation::BuildingRequest request;
   request.kind = object.required_text("kind");
   const auto& kinds = simulation::building_kinds();
-  const auto kind = std::find_if(kinds.begin(), kinds.end(), [&](const auto& k) { return k.name == request.kind; });
+  const auto kind = std::ranges::find_if(kinds, [&](const auto& k) { return k.name == request.kind; });
   if (kind == kinds.end()) object.refuse("kind", "a kind of building that opal map generate knows");
   request.seed = static_cast<std::uint64_t>(object.integer("seed", 1, {0, 1e9}));
   request.size_m2 = object.number("size_m2", request.size_m2, {0, 100'000});
@@ -87,7 +86,7 @@ void read_drives(ConfigObject& object, SimulatedDrives& drives) {
 void read_challenge(ConfigObject& object, SimulatedDrives& drives) {
   const auto all = simulation::thesis3_challenges();
   const auto known = [&](const simulation::Challenge& challenge) { return challenge.id == *drives.challenge; };
-  if (std::none_of(all.begin(), all.end(), known)) object.refuse("challenge", "A1, A3, B1 to B10, C11 or C12");
+  if (std::ranges::none_of(all, known)) object.refuse("challenge", "A1, A3, B1 to B10, C11 or C12");
   drives.duration_s = object.number("duration_s", drives.duration_s, {1, 36'000});
 }
 

@@ -12,8 +12,7 @@ template <class T, class Of>
 std::vector<T> different(std::span<const BuildingRuns> buildings, const Of& of) {
   std::vector<T> values;
   for (const BuildingRuns& building : buildings)
-    if (const T value = of(building); std::find(values.begin(), values.end(), value) == values.end())
-      values.push_back(value);
+    if (const T value = of(building); std::ranges::find(values, value) == values.end()) values.push_back(value);
   return values;
 }
 
@@ -21,7 +20,7 @@ std::vector<std::string> contenders_of(std::span<const BuildingRuns> buildings) 
   std::vector<std::string> names;
   for (const BuildingRuns& building : buildings)
     for (const ChallengeRun& run : building.runs)
-      if (std::find(names.begin(), names.end(), run.contender) == names.end()) names.push_back(run.contender);
+      if (std::ranges::find(names, run.contender) == names.end()) names.push_back(run.contender);
   return names;
 }
 

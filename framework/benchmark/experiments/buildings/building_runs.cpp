@@ -17,7 +17,7 @@ namespace opal::experiments {
 namespace {
 
 double first_time_s(const ChallengeRun& run, bool (*holds)(const Moment&)) {
-  const auto moment = std::find_if(run.moments.begin(), run.moments.end(), holds);
+  const auto moment = std::ranges::find_if(run.moments, holds);
   return moment == run.moments.end() ? kNever : moment->time_s;
 }
 
@@ -25,8 +25,7 @@ std::vector<simulation::Challenge> chosen(const simulation::SuiteBuilding& build
                                           const std::vector<std::string>& ids) {
   std::vector<simulation::Challenge> all = challenges_in(building);
   if (!ids.empty())
-    std::erase_if(all,
-                  [&](const auto& challenge) { return std::find(ids.begin(), ids.end(), challenge.id) == ids.end(); });
+    std::erase_if(all, [&](const auto& challenge) { return std::ranges::find(ids, challenge.id) == ids.end(); });
   return all;
 }
 

@@ -11,14 +11,13 @@ constexpr double kLong_s = 1;  // localized elsewhere for longer is a false prom
 
 std::vector<FaultRun> of_trouble(const std::vector<FaultRun>& runs, const std::string& name) {
   std::vector<FaultRun> chosen;
-  std::copy_if(runs.begin(), runs.end(), std::back_inserter(chosen),
-               [&](const FaultRun& run) { return run.trouble == name; });
+  std::ranges::copy_if(runs, std::back_inserter(chosen), [&](const FaultRun& run) { return run.trouble == name; });
   return chosen;
 }
 
 template <class Test>
 std::string count_of(const std::vector<FaultRun>& runs, Test test) {
-  return std::to_string(std::count_if(runs.begin(), runs.end(), test));
+  return std::to_string(std::ranges::count_if(runs, test));
 }
 
 /// Of the drives that were localized when the fault began; those that never were again count as infinite.
@@ -28,7 +27,7 @@ std::string recovery_of(std::vector<FaultRun> runs, double share) {
   std::vector<double> after_s;
   for (const FaultRun& run : runs)
     after_s.push_back(run.recovered_after_s.value_or(std::numeric_limits<double>::infinity()));
-  std::sort(after_s.begin(), after_s.end());
+  std::ranges::sort(after_s);
   const double at = after_s[static_cast<std::size_t>(share * static_cast<double>(after_s.size() - 1))];
   return std::isfinite(at) ? fmt::format("{:.1f}", at) : "never";
 }

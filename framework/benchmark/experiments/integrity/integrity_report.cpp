@@ -43,13 +43,13 @@ double quantile_over(const std::vector<const JudgedDrive*>& drives, std::optiona
   std::vector<double> values;
   for (const JudgedDrive* drive : drives)
     if (drive->failure.empty()) values.push_back((drive->run.*value).value_or(kNever));
-  std::sort(values.begin(), values.end());
+  std::ranges::sort(values);
   return opal::quantile_of(values, share).value_or(kNever);
 }
 
 template <class Test>
 std::size_t count_if(const Stratum& stratum, Test test) {
-  return static_cast<std::size_t>(std::count_if(stratum.drives.begin(), stratum.drives.end(), test));
+  return static_cast<std::size_t>(std::ranges::count_if(stratum.drives, test));
 }
 
 std::size_t localized_drives(const Stratum& stratum) {
@@ -164,8 +164,7 @@ std::vector<JudgedDrive> worst_drives(std::span<const JudgedDrive> drives, std::
   std::vector<JudgedDrive> worst;
   for (const JudgedDrive& drive : drives)
     if (badness(drive) > 0) worst.push_back(drive);
-  std::stable_sort(worst.begin(), worst.end(),
-                   [](const JudgedDrive& a, const JudgedDrive& b) { return badness(a) > badness(b); });
+  std::ranges::stable_sort(worst, [](const JudgedDrive& a, const JudgedDrive& b) { return badness(a) > badness(b); });
   if (worst.size() > most) worst.resize(most);
   return worst;
 }
