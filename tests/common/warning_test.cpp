@@ -3,14 +3,13 @@
 
 #include <opal/common/warning.hpp>
 
-#include <catch2/catch.hpp>
 #include <spdlog/spdlog.h>
+#include <catch2/catch.hpp>
 
 #include <fcntl.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <thread>
@@ -87,10 +86,7 @@ TEST_CASE("an embedding program takes the warnings, and gives them back") {
 }
 
 TEST_CASE("lines of several threads are whole, on stderr and in a sink that locks nothing") {
-  std::istringstream said(on_stderr(warn_from_threads));
-  std::vector<std::string> lines;
-  for (std::string line; std::getline(said, line);) lines.push_back(line);
-  CHECK_THAT(lines, Catch::UnorderedEquals(all_of_threads()));
+  CHECK_THAT(lines_of(on_stderr(warn_from_threads)), Catch::UnorderedEquals(all_of_threads()));
   Taken taken;
   warn_from_threads();
   CHECK_THAT(taken.lines, Catch::UnorderedEquals(all_of_threads()));

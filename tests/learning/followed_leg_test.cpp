@@ -14,7 +14,7 @@ std::vector<DriveLeg> legs_after(const std::function<std::optional<PoseEstimate>
   SkippedSamples skipped;
   for (const Sample& sample : made::samples_between(0, 20)) skipped.add(sample, before(sample));
   const std::vector<Sample> samples = made::samples_between(20, 40);
-  FollowedLeg leg(made::robot().parts(), made::estimate_of(samples.front(), Status::localized), samples.front());
+  FollowedLeg leg(robot().parts(), made::estimate_of(samples.front(), Status::localized), samples.front());
   for (const Sample& sample : samples) leg.update(sample, made::estimate_of(sample, Status::localized));
   return leg.finish(skipped);
 }
@@ -22,7 +22,7 @@ std::vector<DriveLeg> legs_after(const std::function<std::optional<PoseEstimate>
 double farthest_off_m(const DriveLeg& leg) {
   double farthest = 0;
   for (const TrackedKeyframe& keyframe : leg.track)
-    farthest = std::max(farthest, distance_m(keyframe.T_map_base, made::robot().truth_at(keyframe.stamp_s)));
+    farthest = std::max(farthest, distance_m(keyframe.T_map_base, robot().truth_at(keyframe.stamp_s)));
   return farthest;
 }
 

@@ -9,7 +9,7 @@ using namespace opal;
 TEST_CASE("a gap leads from where one leg ends to where the next one begins, along the way that was driven") {
   const std::vector<Sample> samples = made::samples_between(10, 25);
   const Pose2 start = made::truth_at(samples.front()), end = made::truth_at(samples.back());
-  const auto gap = gap_leg(made::robot().parts(), samples, start, end);
+  const auto gap = gap_leg(robot().parts(), samples, start, end);
   REQUIRE(gap);
   CHECK(gap->is_gap);
   CHECK(gap->visits == std::vector{samples.size()});
@@ -23,16 +23,16 @@ TEST_CASE("a gap leads from where one leg ends to where the next one begins, alo
 TEST_CASE("a gap that does not lead to where the next leg begins is none") {
   const std::vector<Sample> samples = made::samples_between(10, 25);
   const Pose2 start = made::truth_at(samples.front()), end = made::truth_at(samples.back());
-  CHECK_FALSE(gap_leg(made::robot().parts(), samples, start, Pose2(4, 0, 0) * end));
-  CHECK_FALSE(gap_leg(made::robot().parts(), samples, start, end * Pose2(0, 0, 0.6)));
+  CHECK_FALSE(gap_leg(robot().parts(), samples, start, Pose2(4, 0, 0) * end));
+  CHECK_FALSE(gap_leg(robot().parts(), samples, start, end * Pose2(0, 0, 0.6)));
 }
 
 TEST_CASE("what a gap is off at its end is shared out along it") {
   const std::vector<Sample> samples = made::samples_between(10, 25);
   const Pose2 start = made::truth_at(samples.front()), end = made::truth_at(samples.back());
   const Pose2 beside(Point(end.position() + Point(0.3, 0)), end.heading_rad());
-  const auto as_driven = gap_leg(made::robot().parts(), samples, start, end);
-  const auto shifted = gap_leg(made::robot().parts(), samples, start, beside);
+  const auto as_driven = gap_leg(robot().parts(), samples, start, end);
+  const auto shifted = gap_leg(robot().parts(), samples, start, beside);
   REQUIRE(as_driven);
   REQUIRE(shifted);
   const auto apart_m = [&](std::size_t k) {

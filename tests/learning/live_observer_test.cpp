@@ -12,11 +12,6 @@ using namespace opal;
 
 namespace {
 
-const LiveRobot& robot() {
-  static const LiveRobot one;
-  return one;
-}
-
 /// What the visits of a drive say, one after the other.
 std::vector<nlohmann::ordered_json> learned_live(std::size_t most_queued) {
   std::mutex mutex;

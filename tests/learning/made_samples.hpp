@@ -10,11 +10,6 @@
 /// Samples of a small simulated drive.
 namespace opal::made {
 
-inline const LiveRobot& robot() {
-  static const LiveRobot one;
-  return one;
-}
-
 inline Pose2 truth_at(const Sample& sample) { return robot().truth_at(sample.stamp_s); }
 
 /// Keyframes of the robot's drive, by the seconds since it began.

@@ -14,11 +14,6 @@ using namespace opal;
 
 namespace {
 
-const LiveRobot& robot() {
-  static const LiveRobot one;
-  return one;
-}
-
 struct Played {
   std::vector<LiveAnswer> answers;
   std::vector<std::string> said;  ///< words of health, each once

@@ -11,11 +11,6 @@ using namespace opal;
 
 namespace {
 
-const LiveRobot& short_drive() {
-  static const LiveRobot one;
-  return one;
-}
-
 /// A minute of records comes at once.
 LiveOptions with_room() {
   LiveOptions options;
@@ -26,21 +21,21 @@ LiveOptions with_room() {
 }  // namespace
 
 TEST_CASE("answers come from a thread of its own, numbered, the newest one first") {
-  LiveLocalizer live(short_drive().parts(), with_room());
-  for (const simulation::Arrival& arrival : short_drive().arrivals) live.take(arrival.record);
+  LiveLocalizer live(robot().parts(), with_room());
+  for (const simulation::Arrival& arrival : robot().arrivals) live.take(arrival.record);
   REQUIRE(live.drain(60));
   const LiveAnswer newest = live.newest();
   CHECK(newest.number > 500);
   CHECK(newest.estimate.status == Status::localized);
-  CHECK(distance_m(newest.estimate.T_map_base, short_drive().truth_at(newest.stamp_s)) < 0.5);
+  CHECK(distance_m(newest.estimate.T_map_base, robot().truth_at(newest.stamp_s)) < 0.5);
   CHECK_FALSE(live.newer_than(newest.number, 0.01));
   CHECK(live.newer_than(newest.number - 1, 0.01));
 }
 
 TEST_CASE("records from two threads are all worked on") {
-  LiveLocalizer live(short_drive().parts(), with_room());
+  LiveLocalizer live(robot().parts(), with_room());
   const auto give = [&](bool scans) {
-    for (const simulation::Arrival& arrival : short_drive().arrivals)
+    for (const simulation::Arrival& arrival : robot().arrivals)
       if (std::holds_alternative<RawScan>(arrival.record) == scans) live.take(arrival.record);
   };
   { std::jthread odometry(give, false), scans(give, true); }
@@ -51,20 +46,20 @@ TEST_CASE("records from two threads are all worked on") {
 TEST_CASE("a full queue drops the oldest records, counts them, and makes nobody wait") {
   LiveOptions options;
   options.most_queued = 20;
-  LiveLocalizer live(short_drive().parts(), options);
-  for (const simulation::Arrival& arrival : short_drive().arrivals) live.take(arrival.record);
+  LiveLocalizer live(robot().parts(), options);
+  for (const simulation::Arrival& arrival : robot().arrivals) live.take(arrival.record);
   REQUIRE(live.drain(60));
   CHECK(live.counts().at("dropped from a full queue") > 0);
 }
 
 TEST_CASE("after a reset a live localizer starts anew") {
-  LiveLocalizer live(short_drive().parts(), with_room());
-  for (const simulation::Arrival& arrival : short_drive().arrivals) live.take(arrival.record);
+  LiveLocalizer live(robot().parts(), with_room());
+  for (const simulation::Arrival& arrival : robot().arrivals) live.take(arrival.record);
   REQUIRE(live.drain(60));
   live.reset();
-  RawScan later = std::get<RawScan>(short_drive().arrivals[short_drive().arrivals.size() / 2].record.index() == 1
-                                        ? short_drive().arrivals[short_drive().arrivals.size() / 2].record
-                                        : short_drive().recording.scans.front().scan);
+  RawScan later = std::get<RawScan>(robot().arrivals[robot().arrivals.size() / 2].record.index() == 1
+                                        ? robot().arrivals[robot().arrivals.size() / 2].record
+                                        : robot().recording.scans.front().scan);
   later.stamp_s += 100;
   live.take(OdometryRecord{later.stamp_s - 0.01, Pose2()});
   live.take(later);
@@ -76,8 +71,8 @@ TEST_CASE("after a reset a live localizer starts anew") {
 TEST_CASE("silence is told without any record") {
   LiveOptions options;
   options.silent_after_s = 0.2;
-  LiveLocalizer live(short_drive().parts(), options);
-  for (std::size_t k = 0; k < 40; ++k) live.take(short_drive().arrivals[k].record);
+  LiveLocalizer live(robot().parts(), options);
+  for (std::size_t k = 0; k < 40; ++k) live.take(robot().arrivals[k].record);
   REQUIRE(live.drain(60));
   std::this_thread::sleep_for(std::chrono::milliseconds(800));
   const std::vector<HealthFinding> health = live.newest().health;

@@ -16,6 +16,11 @@ Deployment deployment() { return read_deployment(OPAL_SOURCE_DIR "/configs/two_l
 
 }  // namespace
 
+const LiveRobot& robot() {
+  static const LiveRobot one;
+  return one;
+}
+
 std::vector<LaserModel> front_and_rear() { return deployment().lasers; }
 
 LiveRobot::LiveRobot(double duration_s) : LiveRobot(front_and_rear(), 0.1, duration_s) {}

@@ -29,5 +29,8 @@ struct LiveRobot {
   std::vector<opal::simulation::Arrival> arrivals;
 };
 
+/// One for all tests that only look at it.
+const LiveRobot& robot();
+
 /// Two lasers, front and rear, of 190 degrees each.
 std::vector<opal::LaserModel> front_and_rear();

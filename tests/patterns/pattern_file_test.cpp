@@ -3,6 +3,7 @@
 #include "localization/search/candidate_generation.hpp"
 #include "patterns/pattern_cache.hpp"
 
+#include "tests/kit/damaged_bytes.hpp"
 #include "tests/kit/file_content.hpp"
 #include "tests/kit/same_bytes.hpp"
 #include "tests/kit/temporary_folder.hpp"
@@ -10,7 +11,6 @@
 #include <catch2/catch.hpp>
 
 #include <filesystem>
-#include <fstream>
 #include <random>
 
 using namespace opal;
@@ -53,16 +53,6 @@ bool same(const PatternIndex& a, const PatternIndex& b) {
          same_bytes(one.frames, other.frames) && same_bytes(one.members, other.members) &&
          same_bytes(one.extents_m, other.extents_m) && same_bytes(tree.order, other_tree.order) &&
          same_bytes(tree.values, other_tree.values) && same_bytes(tree.boxes, other_tree.boxes);
-}
-
-void write_bytes(const fs::path& file, const std::string& bytes) {
-  std::ofstream(file, std::ios::binary).write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-}
-
-std::vector<fs::path> files_in(const fs::path& folder) {
-  std::vector<fs::path> files;
-  for (const auto& entry : fs::directory_iterator(folder)) files.push_back(entry.path());
-  return files;
 }
 
 /// Asks for many patterns and all that is said of them, so that a number that leads outside is noticed.
@@ -115,15 +105,11 @@ TEST_CASE("a file of patterns that is of others, cut or grown gives nothing") {
   write_patterns(file, digest, PatternIndex(patterns));
   CHECK_FALSE(read_patterns(file, digest_of(some_patterns(2)), kMembers));
   CHECK_FALSE(read_patterns(file, digest, kMembers - 10));  // it names members that the map does not have
-  const std::string whole = content_of(file);
-  for (const std::size_t size :
-       {std::size_t{0}, std::size_t{100}, std::size_t{4096}, whole.size() / 2, whole.size() - 4096, whole.size() - 1}) {
-    CAPTURE(size);
-    write_bytes(file, whole.substr(0, size));
+  for (const std::string& other : cut_or_grown(content_of(file))) {
+    CAPTURE(other.size());
+    write_bytes(file, other);
     CHECK_FALSE(read_patterns(file, digest, kMembers));
   }
-  write_bytes(file, whole + std::string(4096, '\0'));
-  CHECK_FALSE(read_patterns(file, digest, kMembers));
 }
 
 TEST_CASE("a file of patterns with wrong bytes gives nothing, or patterns that lead nowhere outside") {
@@ -132,13 +118,8 @@ TEST_CASE("a file of patterns with wrong bytes gives nothing, or patterns that l
   const std::string digest = digest_of(patterns);
   const fs::path file = folder.path_of("pairs.patterns");
   write_patterns(file, digest, PatternIndex(patterns));
-  const std::string whole = content_of(file);
-  std::mt19937 random(5);
   int refused = 0;
-  for (int k = 0; k < 60; ++k) {
-    std::string wrong = whole;
-    const std::size_t most = k % 2 == 0 ? 200 : whole.size();  // half of them in the header
-    for (int change = 0; change < 3; ++change) wrong[random() % most] = static_cast<char>(random());
+  for (const std::string& wrong : with_wrong_bytes(content_of(file), 60)) {
     write_bytes(file, wrong);
     if (const auto read = read_patterns(file, digest, kMembers))
       ask_everywhere(*read);

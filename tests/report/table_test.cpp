@@ -8,8 +8,6 @@
 
 #include <catch2/catch.hpp>
 
-#include <sstream>
-
 using namespace opal;
 using Catch::Contains;
 
@@ -20,13 +18,6 @@ const std::string kHostileCell = "</td><script>alert(1)</script>|[x](javascript:
 Table some_table() {
   return {{{"site", "", false}, {"error", "m"}, {"note", "", false}},
           {{"hall", "0.25", Cell("see", "run.html?a=1&b=2")}, {"café|1", "-∞", ""}, {kHostileCell, "12"}}};
-}
-
-std::vector<std::string> lines_of(const std::string& text) {
-  std::istringstream stream(text);
-  std::vector<std::string> lines;
-  for (std::string line; std::getline(stream, line);) lines.push_back(line);
-  return lines;
 }
 
 /// Rows of an RFC 4180 text, read back.

@@ -1,11 +1,11 @@
 #pragma once
 
 #include "synthetic_run.hpp"
+#include "tests/kit/file_content.hpp"
 #include "tests/kit/temporary_folder.hpp"
 #include "viewer/reading/frame_builder.hpp"
 
 #include <filesystem>
-#include <fstream>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -18,13 +18,6 @@ inline std::string text_of(const RunSize& size) {
   JsonLinesSink sink(out);
   write_run(size, sink);
   return out.str();
-}
-
-inline std::vector<std::string> lines_of(const std::string& text) {
-  std::vector<std::string> lines;
-  std::istringstream in(text);
-  for (std::string line; std::getline(in, line);) lines.push_back(line);
-  return lines;
 }
 
 struct EventFile : TemporaryFile {

@@ -12,7 +12,6 @@
 #include <map>
 #include <random>
 #include <set>
-#include <sstream>
 #include <thread>
 
 using namespace opal::ab_tests;
@@ -28,8 +27,7 @@ namespace fs = std::filesystem;
 
 std::vector<json> lines_of(const std::string& path) {
   std::vector<json> lines;
-  std::istringstream text(content_of(path));
-  for (std::string line; std::getline(text, line);) lines.push_back(json::parse(line));
+  for (const std::string& line : opal::lines_of(content_of(path))) lines.push_back(json::parse(line));
   return lines;
 }
 

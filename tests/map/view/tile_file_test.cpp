@@ -3,6 +3,7 @@
 #include "map/view/tile_cache.hpp"
 #include "walls.hpp"
 
+#include "tests/kit/damaged_bytes.hpp"
 #include "tests/kit/file_content.hpp"
 #include "tests/kit/same_bytes.hpp"
 #include "tests/kit/temporary_folder.hpp"
@@ -12,7 +13,6 @@
 #include <opal/map/view/map_view.hpp>
 
 #include <filesystem>
-#include <fstream>
 #include <thread>
 
 using namespace opal;
@@ -64,10 +64,6 @@ bool same(const SurfaceTiles& a, const SurfaceTiles& b) {
          same_bytes(a.names, b.names);
 }
 
-void write_bytes(const fs::path& file, const std::string& bytes) {
-  std::ofstream(file, std::ios::binary).write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-}
-
 /// Asks every cell, so that a number that leads outside is noticed.
 void ask_everywhere(const Painted& map, const SurfaceTiles& tiles) {
   const SurfaceGrid grid(map.layout, tiles);
@@ -75,12 +71,6 @@ void ask_everywhere(const Painted& map, const SurfaceTiles& tiles) {
     for (double y = -3; y < kSide_m + 3; y += 0.4)
       for (const MapFeatureNumber name : grid.nearest({x, y}))
         if (name.number() >= map.features()) FAIL("no such feature: " << name);
-}
-
-std::vector<fs::path> files_in(const fs::path& folder) {
-  std::vector<fs::path> files;
-  for (const auto& entry : fs::directory_iterator(folder)) files.push_back(entry.path());
-  return files;
 }
 
 }  // namespace
@@ -134,28 +124,18 @@ TEST_CASE("a file that is not there, or of another map, gives nothing") {
 
 TEST_CASE("a file that is cut or grown gives nothing") {
   const Written written;
-  const Painted& map = written.map;
-  const std::string& whole = written.whole;
-  for (const std::size_t size : {std::size_t{0}, std::size_t{1}, std::size_t{100}, std::size_t{4096}, whole.size() / 2,
-                                 whole.size() - 4096, whole.size() - 1}) {
-    CAPTURE(size);
-    write_bytes(written.file, whole.substr(0, size));
-    CHECK_FALSE(map.read(written.file));
+  for (const std::string& other : cut_or_grown(written.whole)) {
+    CAPTURE(other.size());
+    write_bytes(written.file, other);
+    CHECK_FALSE(written.map.read(written.file));
   }
-  write_bytes(written.file, whole + std::string(4096, '\0'));
-  CHECK_FALSE(map.read(written.file));
 }
 
 TEST_CASE("a file with wrong bytes gives nothing, or tiles that lead nowhere outside") {
   const Written written;
   const Painted& map = written.map;
-  const std::string& whole = written.whole;
-  std::mt19937 random(5);
   int refused = 0;
-  for (int k = 0; k < 30; ++k) {
-    std::string wrong = whole;
-    const std::size_t most = k % 2 == 0 ? 200 : whole.size();  // half of them in the header
-    for (int change = 0; change < 3; ++change) wrong[random() % most] = static_cast<char>(random());
+  for (const std::string& wrong : with_wrong_bytes(written.whole, 30)) {
     write_bytes(written.file, wrong);
     if (const auto read = map.read(written.file))
       ask_everywhere(map, *read);

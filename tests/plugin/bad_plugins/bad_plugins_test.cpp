@@ -15,7 +15,6 @@ using opal::FeatureDetector;
 using opal::PluginRegistry;
 using opal_test::bad_plugin;
 using opal_test::PluginFolder;
-using opal_test::read_text;
 
 namespace {
 
@@ -42,7 +41,7 @@ std::string failure_to_make(const std::string& plugin, const nlohmann::json& opt
 std::string refusal_with_description(const std::string& pointer, const nlohmann::json& value) {
   const PluginFolder folder;
   const std::string file = folder.copy(bad_plugin("other_description.so"));
-  auto description = nlohmann::json::parse(read_text(bad_plugin("other_description.jsonld")));
+  auto description = nlohmann::json::parse(opal::content_of(bad_plugin("other_description.jsonld")));
   description[nlohmann::json::json_pointer(pointer)] = value;
   folder.write("other_description.jsonld", description.dump());
   std::string message = refusal_of(file);
@@ -229,7 +228,7 @@ TEST_CASE("a plugin that its description does not fit is refused") {
 TEST_CASE("a plugin that registers more than its description names is refused") {
   const PluginFolder folder;
   const std::string file = folder.copy(bad_plugin("taken_name.so"));
-  auto description = nlohmann::json::parse(read_text(bad_plugin("taken_name.jsonld")));
+  auto description = nlohmann::json::parse(opal::content_of(bad_plugin("taken_name.jsonld")));
   description["types"].erase(1);
   folder.write("taken_name.jsonld", description.dump());
   CHECK(refusal_of(file) == file + ": registers bad:good, which its description does not name");
@@ -238,7 +237,7 @@ TEST_CASE("a plugin that registers more than its description names is refused") 
 TEST_CASE("an announced plugin is opened when something of it is made, and not before") {
   const PluginFolder folder;
   const std::string file = folder.copy(bad_plugin("good.so"));
-  folder.write("good.jsonld", read_text(bad_plugin("good.jsonld")));
+  folder.write("good.jsonld", opal::content_of(bad_plugin("good.jsonld")));
   const auto is_open = [&] { return dlopen(file.c_str(), RTLD_NOW | RTLD_NOLOAD) != nullptr; };
   PluginRegistry registry;
   registry.announce(file);

@@ -1,20 +1,12 @@
 #pragma once
 
+#include "tests/kit/file_content.hpp"
 #include "tests/kit/temporary_folder.hpp"
 
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 #include <string>
 
 namespace opal_test {
-
-inline std::string read_text(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
 
 inline std::string bad_plugin(const std::string& name) {
   return std::filesystem::canonical(OPAL_BAD_PLUGIN_DIR).string() + "/" + name;

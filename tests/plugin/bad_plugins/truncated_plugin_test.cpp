@@ -12,7 +12,6 @@
 
 using opal_test::bad_plugin;
 using opal_test::PluginFolder;
-using opal_test::read_text;
 
 namespace {
 
@@ -26,7 +25,7 @@ std::string refusal_of_fresh(const std::string& path) {
 TEST_CASE("a plugin that lacks its end is refused, wherever it is cut") {
   const PluginFolder folder;
   folder.copy(bad_plugin("good.jsonld"));
-  const std::string whole = read_text(bad_plugin("good.so"));
+  const std::string whole = opal::content_of(bad_plugin("good.so"));
   std::vector<std::size_t> lengths{0, 1, 4, 15, 63, 64, 65, 1000, whole.size() / 2, whole.size() - 1};
   for (std::size_t length = 2000; length < whole.size(); length += whole.size() / 40) lengths.push_back(length);
   for (const std::size_t length : lengths) {
@@ -41,7 +40,7 @@ TEST_CASE("a plugin that lacks its end is refused, wherever it is cut") {
 TEST_CASE("a plugin whose section headers cannot be right is refused or loaded, but never kills the process") {
   const PluginFolder folder;
   folder.copy(bad_plugin("good.jsonld"));
-  const std::string whole = read_text(bad_plugin("good.so"));
+  const std::string whole = opal::content_of(bad_plugin("good.so"));
   const unsigned seed = 7;
   CAPTURE(seed);
   std::mt19937 random(seed);

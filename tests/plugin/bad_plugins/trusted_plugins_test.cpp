@@ -41,7 +41,7 @@ class TrustedGood {
   PluginRegistry trusting(const std::string& digest) const { return registry_.trusting(list(digest)); }
   /// Another file in its place, with another bit in the middle, which is still a library.
   void change_a_byte() const {
-    std::string bytes = read_text(file_);
+    std::string bytes = content_of(file_);
     bytes[bytes.size() / 2] = static_cast<char>(bytes[bytes.size() / 2] ^ 1);
     std::filesystem::rename(folder_.write("other.so", bytes), file_);
   }

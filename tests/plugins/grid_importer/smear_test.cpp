@@ -3,6 +3,7 @@
 
 #include "plugins/grid_importer/distance_transform.hpp"
 #include "plugins/grid_importer/smear.hpp"
+#include "tests/kit/import_report.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -133,9 +134,7 @@ TEST_CASE("faces of thick walls are within five centimetres of the true ones, or
   const MapImport thick = import(two_smeared_rooms(), {{"thicken_m", smear_m}});
   CAPTURE(smear_m);
   CHECK(thick.map->origin().smear_m == Approx(smear_m).margin(0.1));
-  CHECK(std::any_of(thick.report.begin(), thick.report.end(), [](const std::string& sentence) {
-    return sentence.find("thicker in the grid than they are") != std::string::npos;
-  }));
+  CHECK(says(thick, "thicker in the grid than they are"));
   const std::vector<Segment> faces = all<Segment>(*thick.map);
   int compared = 0;
   for (const Segment& wanted : all<Segment>(*clean)) {

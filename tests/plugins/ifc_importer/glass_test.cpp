@@ -1,5 +1,7 @@
 #include "drawn_building.hpp"
 
+#include "tests/kit/import_report.hpp"
+
 #include <catch2/catch.hpp>
 
 #include <algorithm>
@@ -41,11 +43,6 @@ bool is_seen(const MapImport& imported, const std::string& name) {
   return !features_of(*imported.map, name, GeometryKind::segment).empty();
 }
 
-bool has_sentence(const MapImport& imported, const std::string& words) {
-  return std::any_of(imported.report.begin(), imported.report.end(),
-                     [&](const std::string& sentence) { return sentence.find(words) != std::string::npos; });
-}
-
 }  // namespace
 
 TEST_CASE("walls whose names only sound like glass are seen") {
@@ -63,8 +60,7 @@ TEST_CASE("walls whose names speak of glass are there, no LiDAR looks for them, 
   const MapImport imported = with_wall(name);
   CHECK_FALSE(is_seen(imported, name));
   CHECK(features_of(*imported.map, name, GeometryKind::segment, false).size() == 4);
-  CHECK(
-      has_sentence(imported, "not perceivable: 1 IfcWall, glass, by its name or material: " + DrawnBuilding::id(name)));
+  CHECK(says(imported, "not perceivable: 1 IfcWall, glass, by its name or material: " + DrawnBuilding::id(name)));
 }
 
 TEST_CASE("a wall of layers is glass if most of it is, without its air") {

@@ -1,21 +1,14 @@
 // Models that are right for the most part: letters beyond ASCII as they are, national coordinates, no bodies.
 #include "drawn_building.hpp"
 
+#include "tests/kit/import_report.hpp"
+
 #include <opal/common/error.hpp>
 
 #include <catch2/catch.hpp>
 
 using namespace opal;
 using Catch::Contains;
-
-namespace {
-
-bool says_of_model(const MapImport& imported, const std::string& words) {
-  return std::any_of(imported.report.begin(), imported.report.end(),
-                     [&](const std::string& sentence) { return sentence.find(words) != std::string::npos; });
-}
-
-}  // namespace
 
 TEST_CASE("names in UTF-8, and in ISO 8859-1, are read as they are written") {
   DrawnBuilding unicode, latin;
@@ -33,7 +26,7 @@ TEST_CASE("a model in a national grid gets an origin near it") {
     return import(building);
   };
   const MapImport far = draw({412345, 5654321, 0}), near = draw({345, 321, 0});
-  CHECK(says_of_model(far, "the map's origin is at 412000, 5654000 m of the plan"));
+  CHECK(says(far, "the map's origin is at 412000, 5654000 m of the plan"));
   REQUIRE(far.map->features().size() == near.map->features().size());
   for (std::size_t k = 0; k < near.map->features().size(); ++k)
     CHECK((anchor_of(far.map->features()[k].geometry) - anchor_of(near.map->features()[k].geometry)).norm() < 1e-5);

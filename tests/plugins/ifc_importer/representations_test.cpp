@@ -1,6 +1,8 @@
 // Kinds of geometry that the models at hand do not have: each comes in as it is meant, or is named with the reason.
 #include "drawn_building.hpp"
 
+#include "tests/kit/import_report.hpp"
+
 #include <opal/common/error.hpp>
 
 #include <Eigen/Geometry>
@@ -37,11 +39,6 @@ void check_box(const ImportedElement& element, double x0, double y0, double x1, 
   CHECK((box.min() - Point(x0, y0)).norm() < 1e-5);
   CHECK((box.max() - Point(x1, y1)).norm() < 1e-5);
   CHECK(area_m2(element) == Approx((x1 - x0) * (y1 - y0)).margin(1e-4));
-}
-
-bool says(const MapImport& imported, const std::string& words) {
-  return std::any_of(imported.report.begin(), imported.report.end(),
-                     [&](const std::string& sentence) { return sentence.find(words) != std::string::npos; });
 }
 
 // A box of 4 x 0.2 x 3 m by its corners. Numbered the other way, corner k is number kAnew[k].

@@ -1,5 +1,6 @@
 #include "drawn_building.hpp"
 
+#include "tests/kit/import_report.hpp"
 #include "tests/kit/refusal.hpp"
 
 #include <opal/common/error.hpp>
@@ -33,11 +34,6 @@ std::string replaced(std::string text, const std::string& what, const std::strin
   return text.replace(at, what.size(), by);
 }
 
-bool told_of(const MapImport& imported, const std::string& words) {
-  return std::any_of(imported.report.begin(), imported.report.end(),
-                     [&](const std::string& sentence) { return sentence.find(words) != std::string::npos; });
-}
-
 }  // namespace
 
 TEST_CASE("a file that ends early is refused, or told to be cut off, wherever it ends") {
@@ -49,7 +45,7 @@ TEST_CASE("a file that ends early is refused, or told to be cut off, wherever it
     const std::string part = text.substr(0, length);
     if (refusal(part) != "accepted") continue;
     ++accepted;
-    CHECK(told_of(import_text(part), "doubtful: the file is cut off in line "));
+    CHECK(says(import_text(part), "doubtful: the file is cut off in line "));
   }
   CHECK(accepted > 0);
   CHECK_THAT(refusal(text.substr(0, text.find("\n#3="))), Contains("expected"));
@@ -63,8 +59,8 @@ TEST_CASE("of a file that is cut off comes in what is whole, and what is not is 
       import_text(wall_only + "#9000=IFCWALL('0123456789012345678901',$,'half',$,$,#9999,$,$);\n" +
                   "#9001=IFCRELCONTAINEDINSPATIALSTRUCTURE('0123456789012345678902',$,$,$,(#9000),"
                   "#9998);\n#9002=IFCPROPERTYSET('01234567890");
-  CHECK(told_of(imported, "what it would define from there on is missing"));
-  CHECK(told_of(imported, "1 IFCWALL, which need what the file does not define: #9000"));
+  CHECK(says(imported, "what it would define from there on is missing"));
+  CHECK(says(imported, "1 IFCWALL, which need what the file does not define: #9000"));
   CHECK(element(imported, "wall").status == ImportStatus::imported);
   CHECK_THAT(refusal(replaced(wall_only, ".LENGTHUNIT.", ".AREAUNIT.")),
              Contains("; the file is cut off, and may have"));
@@ -73,10 +69,8 @@ TEST_CASE("of a file that is cut off comes in what is whole, and what is not is 
 TEST_CASE("openings that a cut-off file cuts from no wall are counted") {
   const std::string text = drawn();
   const std::size_t relation = text.rfind('#', text.find("IFCRELVOIDSELEMENT"));
-  CHECK(told_of(import_text(text.substr(0, relation)),
-                "openings that are cut from no wall, for the file is cut off: 1:"));
-  CHECK_FALSE(
-      told_of(import_text(text.substr(0, text.find("ENDSEC;\nEND-ISO"))), "openings that are cut from no wall"));
+  CHECK(says(import_text(text.substr(0, relation)), "openings that are cut from no wall, for the file is cut off: 1:"));
+  CHECK_FALSE(says(import_text(text.substr(0, text.find("ENDSEC;\nEND-ISO"))), "openings that are cut from no wall"));
 }
 
 TEST_CASE("a file may begin with comments and blank lines, and end without its last line") {
@@ -90,7 +84,7 @@ TEST_CASE("a file may begin with comments and blank lines, and end without its l
   }
   const std::string data_only = text.substr(0, text.find("END-ISO"));
   CHECK(import_text(data_only).map->features().size() == whole.map->features().size());
-  CHECK(told_of(import_text(data_only), "doubtful: the file ends without END-ISO-10303-21;, after its data"));
+  CHECK(says(import_text(data_only), "doubtful: the file ends without END-ISO-10303-21;, after its data"));
   CHECK(import_text(data_only + "END-ISO-10303-21").map->features().size() == whole.map->features().size());
 }
 
@@ -128,9 +122,9 @@ TEST_CASE("properties that refer to nothing are left out and told about; the bui
                    "#904=IFCRELDEFINESBYTYPE('0123456789012345678904',#77781,$,$,(" +
                    wall + ",#77782),#903);\n"));
   CHECK(imported.map->features().size() == whole.map->features().size());
-  CHECK(told_of(imported, "1 IFCPROPERTYSET, which need what the file does not define"));
-  CHECK(told_of(imported, "#901"));
-  CHECK(told_of(imported, "1 IFCRELDEFINESBYTYPE"));
+  CHECK(says(imported, "1 IFCPROPERTYSET, which need what the file does not define"));
+  CHECK(says(imported, "#901"));
+  CHECK(says(imported, "1 IFCRELDEFINESBYTYPE"));
 }
 
 TEST_CASE("space boundaries may refer to each other, and a space to nothing") {
@@ -146,8 +140,8 @@ TEST_CASE("space boundaries may refer to each other, and a space to nothing") {
                    "#902=IFCSPACE('0123456789012345678903',$,'hall',$,$,#77777,#77778,$,.ELEMENT.,.INTERNAL.,$);\n"
                    "#903=IFCRELSPACEBOUNDARY('0123456789012345678904',$,$,$,#902" +
                    end.substr(2, end.size() - 3) + ");\n"));
-  CHECK(told_of(imported, "2 IFCRELSPACEBOUNDARY2NDLEVEL, which refer to each other"));
-  CHECK(told_of(imported, "1 IFCSPACE, which need"));
+  CHECK(says(imported, "2 IFCRELSPACEBOUNDARY2NDLEVEL, which refer to each other"));
+  CHECK(says(imported, "1 IFCSPACE, which need"));
   CHECK(imported.map->features().size() == import_text(text).map->features().size());
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "tests/kit/import_report.hpp"
 #include "tests/kit/temporary_folder.hpp"
 
 #include <opal/plugin/plugin_registry.hpp>
@@ -31,11 +32,6 @@ inline bool has_face(const opal::SemanticMap& map, const opal::Point& begin, con
   return std::any_of(faces.begin(), faces.end(), [&](const opal::Segment& face) {
     return (face.begin - begin).norm() < 1e-6 && (face.end - end).norm() < 1e-6;
   });
-}
-
-inline bool says(const opal::MapImport& imported, const std::string& words) {
-  return std::any_of(imported.report.begin(), imported.report.end(),
-                     [&](const std::string& sentence) { return sentence.find(words) != std::string::npos; });
 }
 
 inline const opal::ImportedElement& thing(const opal::MapImport& imported, const std::string& id) {

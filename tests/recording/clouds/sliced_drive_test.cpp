@@ -62,7 +62,7 @@ std::string cloud_message(const RawScan& scan, const LaserModel& lidar) {
   return made.bytes();
 }
 
-const LiveRobot& robot() {
+const LiveRobot& short_robot() {
   static const LiveRobot one(40);
   return one;
 }
@@ -88,9 +88,9 @@ ReceivedMessage cloud_of(const RawScan& scan, const LaserModel& lidar) {
 
 std::vector<LogRecord> planar_records() {
   std::vector<LogRecord> records;
-  for (const LogRecord& record : simulation::records_of(robot().recording)) {
+  for (const LogRecord& record : simulation::records_of(short_robot().recording)) {
     const auto* scan = std::get_if<RawScan>(&record);
-    if (scan && scan->frame != robot().lasers.front().frame) continue;
+    if (scan && scan->frame != short_robot().lasers.front().frame) continue;
     records.push_back(record);
     if (scan) std::get<RawScan>(records.back()).T_odom_base.reset();
   }
@@ -103,7 +103,7 @@ const std::vector<ReceivedMessage>& messages() {
     for (const LogRecord& record : planar_records()) {
       if (const auto* odometry = std::get_if<OdometryRecord>(&record)) made.push_back(odometry_message(*odometry));
       if (const auto* scan = std::get_if<RawScan>(&record))
-        made.push_back(cloud_of(*scan, lidar_of(robot().lasers.front())));
+        made.push_back(cloud_of(*scan, lidar_of(short_robot().lasers.front())));
     }
     return made;
   }();
@@ -131,7 +131,7 @@ struct Driven {
 };
 
 Driven driven(const std::vector<LogRecord>& records, const LaserModel& laser, double epoch_s) {
-  Localizer localizer(robot().parts({laser}), nullptr);
+  Localizer localizer(short_robot().parts({laser}), nullptr);
   Replay replay(records, {laser});
   Driven drive;
   while (const auto sample = replay.next()) {
@@ -141,7 +141,7 @@ Driven driven(const std::vector<LogRecord>& records, const LaserModel& laser, do
     if (estimate.status != Status::localized) continue;
     ++drive.localized;
     drive.farthest_m =
-        std::max(drive.farthest_m, distance_m(estimate.T_map_base, robot().truth_at(sample->stamp_s - epoch_s)));
+        std::max(drive.farthest_m, distance_m(estimate.T_map_base, short_robot().truth_at(sample->stamp_s - epoch_s)));
   }
   return drive;
 }
@@ -149,7 +149,7 @@ Driven driven(const std::vector<LogRecord>& records, const LaserModel& laser, do
 }  // namespace
 
 TEST_CASE("a drive with a tilted 3D lidar is localized like the same drive with a planar laser") {
-  const LaserModel planar = robot().lasers.front(), lidar = lidar_of(planar);
+  const LaserModel planar = short_robot().lasers.front(), lidar = lidar_of(planar);
   const TemporaryFile file("clouds.mcap", recorded());
   const auto reader = mcap_log::McapLog({}).open_for(file.path(), {lidar});
   const std::vector<LogRecord> sliced = read_all(*reader);
@@ -162,7 +162,7 @@ TEST_CASE("a drive with a tilted 3D lidar is localized like the same drive with 
 }
 
 TEST_CASE("a slice of a cloud has the ranges of a planar laser at its place") {
-  const LaserModel lidar = lidar_of(robot().lasers.front());
+  const LaserModel lidar = lidar_of(short_robot().lasers.front());
   const TemporaryFile file("clouds.mcap", recorded());
   const std::vector<LogRecord> planar = planar_records();
   const auto reader = mcap_log::McapLog({}).open_for(file.path(), {lidar});
@@ -187,7 +187,7 @@ TEST_CASE("a slice of a cloud has the ranges of a planar laser at its place") {
 }
 
 TEST_CASE("a stream of clouds gives the records that a recording of them gives") {
-  const LaserModel lidar = lidar_of(robot().lasers.front());
+  const LaserModel lidar = lidar_of(short_robot().lasers.front());
   const TemporaryFile file("clouds.mcap", recorded());
   const auto reader = mcap_log::McapLog({}).open_for(file.path(), {lidar});
   const std::vector<LogRecord> replayed = read_all(*reader);
@@ -237,7 +237,7 @@ TEST_CASE("a recording without scans says that its point clouds can be read") {
   TopicChoice named;
   named.scans = {kTopic};
   CHECK_THROWS_WITH(mcap_log::McapLog(named).open(file.path()), Catch::Contains("/points has no scans; " + hint));
-  LaserModel elsewhere = lidar_of(robot().lasers.front());
+  LaserModel elsewhere = lidar_of(short_robot().lasers.front());
   elsewhere.topic = "/other";
   CHECK_THROWS_WITH(
       mcap_log::McapLog({}).open_for(file.path(), {elsewhere}),

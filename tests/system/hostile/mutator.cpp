@@ -1,22 +1,16 @@
 #include "mutator.hpp"
 
+#include "tests/kit/file_content.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <sstream>
 
 namespace {
 
-std::vector<std::string> lines_of(const std::string& text) {
-  std::vector<std::string> lines;
-  std::istringstream stream(text);
-  for (std::string line; std::getline(stream, line);) lines.push_back(line + '\n');
-  return lines;
-}
-
 std::string joined(const std::vector<std::string>& lines) {
   std::string text;
-  for (const std::string& line : lines) text += line;
+  for (const std::string& line : lines) text += line + '\n';
   return text;
 }
 
@@ -63,7 +57,7 @@ std::string Mutator::with_piece_twice(const std::string& text) {
 }
 
 std::string Mutator::change_lines(const std::string& text) {
-  std::vector<std::string> lines = lines_of(text);
+  std::vector<std::string> lines = opal::lines_of(text);
   if (lines.empty()) return text;
   const std::size_t a = below(lines.size()), b = below(lines.size()), count = 1 + below(6);
   const auto at = [&](std::size_t k) { return lines.begin() + static_cast<std::ptrdiff_t>(k); };

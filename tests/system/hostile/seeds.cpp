@@ -1,20 +1,14 @@
 #include "seeds.hpp"
 
+#include "tests/kit/file_content.hpp"
 #include "tests/plugins/ifc_importer/drawn_building.hpp"
 #include "tests/plugins/plan_importers/dxf_text.hpp"
 
 #include <opal/map/semantic_map.hpp>
 
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 
 namespace {
-
-std::string read_file(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
 
 /// Every kind of entity, with blocks inside blocks, in a few lines.
 std::string tiny_drawing() {
@@ -85,7 +79,7 @@ std::vector<std::string> geojson_seeds() {
 }
 
 std::vector<std::string> map_seeds() {
-  const std::string room = read_file(OPAL_SOURCE_DIR "/maps/example_room.jsonld");
+  const std::string room = opal::content_of(OPAL_SOURCE_DIR "/maps/example_room.jsonld");
   return {room, opal::SemanticMap::parse(room, "room")->to_json_ld().dump(1)};
 }
 
@@ -93,7 +87,7 @@ std::vector<std::string> ifc_seeds() {
   std::vector<std::string> seeds{drawn_building()};
   for (const char* name : {"simple_room_v6.ifc", "grid-placement_4x3.ifc"}) {
     const std::string path = std::string(OPAL_SOURCE_DIR "/../shared/data/ifc/") + name;
-    if (std::filesystem::exists(path)) seeds.push_back(read_file(path));
+    if (std::filesystem::exists(path)) seeds.push_back(opal::content_of(path));
   }
   return seeds;
 }

@@ -1,9 +1,10 @@
 #include "whole_import.hpp"
 
+#include "tests/kit/file_content.hpp"
+
 #include <algorithm>
 #include <regex>
 #include <set>
-#include <sstream>
 
 namespace {
 
@@ -25,12 +26,10 @@ std::string contradiction(const opal::MapImport& imported) {
 }
 
 std::vector<std::string> trimmed_lines(const std::string& text) {
-  std::vector<std::string> lines;
-  std::istringstream stream(text);
-  for (std::string line; std::getline(stream, line);) {
+  std::vector<std::string> lines = opal::lines_of(text);
+  for (std::string& line : lines) {
     line.erase(0, line.find_first_not_of(" \t\r"));
     line.erase(line.find_last_not_of(" \t\r") + 1);
-    lines.push_back(line);
   }
   return lines;
 }
