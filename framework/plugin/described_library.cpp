@@ -41,12 +41,10 @@ std::string canonical_file(const std::string& path) {
   return canonical.string();
 }
 
-std::string description_path(const std::string& file) { return fs::path(file).replace_extension(".jsonld").string(); }
-
 void require_same_plugin(const std::string& file, const PluginDescription& promised, const PluginDescriptor& actual) {
   if (promised.name == actual.name && promised.version == actual.version) return;
   refuse_file(file, std::string("calls itself ") + actual.name + " " + actual.version + ", but " +
-                        description_path(file) + " describes " + promised.name + " " + promised.version);
+                        description_file(file) + " describes " + promised.name + " " + promised.version);
 }
 
 bool same_set(std::vector<std::string> a, std::vector<std::string> b) {
@@ -102,9 +100,13 @@ std::map<std::string, TypeRegistration> collect(const std::string& file, const P
 
 }  // namespace
 
+std::string description_file(const std::string& library) {
+  return fs::path(library).replace_extension(".jsonld").string();
+}
+
 DescribedLibrary::DescribedLibrary(const std::string& path) : file_(canonical_file(path)) {
   require_plugin_file(file_);
-  description_ = read_plugin_description(description_path(file_));
+  description_ = read_plugin_description(description_file(file_));
 }
 
 std::string DescribedLibrary::digest() {

@@ -23,6 +23,9 @@ struct TypeRegistration {
   AnyFactory factory;
 };
 
+/// Where the description of a plugin stands: beside its library.
+OPAL_EXPORT std::string description_file(const std::string& library);
+
 /// A plugin by what its description promises. No code of it runs before it is opened.
 class DescribedLibrary {
  public:

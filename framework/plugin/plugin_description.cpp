@@ -1,5 +1,7 @@
 #include <opal/plugin/plugin_description.hpp>
 
+#include "common/digest/sha256.hpp"
+#include "common/json/json_elements.hpp"
 #include "common/phrases.hpp"
 #include "plugin/plugin_options.hpp"
 
@@ -187,14 +189,10 @@ DescribedType read_type(const Node& node) {
   return type;
 }
 
-json read_document(const std::string& path) {
+std::string text_of(const std::string& path) {
   if (!std::ifstream(path))
     throw PluginError(path + ": cannot be read; every plugin has its description beside it (docs/write_a_plugin.md)");
-  try {
-    return read_json(path);
-  } catch (const JsonError& error) {
-    throw PluginError(error.what());
-  }
+  return read_json_text(path);
 }
 
 }  // namespace
@@ -217,7 +215,14 @@ PluginDescription parse_plugin_description(const json& document, const std::stri
 }
 
 PluginDescription read_plugin_description(const std::string& path) {
-  return parse_plugin_description(read_document(path), path);
+  try {
+    const std::string text = text_of(path);
+    PluginDescription description = parse_plugin_description(parse_json(text, path), path);
+    description.sha256 = sha256_of(text);
+    return description;
+  } catch (const JsonError& error) {
+    throw PluginError(error.what());
+  }
 }
 
 }  // namespace opal

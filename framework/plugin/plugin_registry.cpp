@@ -53,8 +53,7 @@ struct PluginRegistry::State {
   std::vector<TrustedPlugins> lists;  ///< each of which must trust what is made
 
   void expect_trusted(const Entry& entry) const {
-    for (const TrustedPlugins& trusted : lists)
-      expect_trusted_plugin(trusted, entry.type.plugin, entry.type.file, entry.library->digest());
+    for (const TrustedPlugins& trusted : lists) expect_trusted_plugin(trusted, *entry.library);
   }
 
   /// A type that runs a class runs code of that class's file.
@@ -101,8 +100,7 @@ PluginRegistry& PluginRegistry::operator=(PluginRegistry&&) noexcept = default;
 void PluginRegistry::load(const std::string& path) {
   const auto library = std::make_shared<DescribedLibrary>(path);
   state_->require_new(*library);
-  for (const TrustedPlugins& trusted : state_->lists)
-    expect_trusted_plugin(trusted, library->description().name, library->file(), library->digest());
+  for (const TrustedPlugins& trusted : state_->lists) expect_trusted_plugin(trusted, *library);
   library->open();
   state_->merge(library);
 }

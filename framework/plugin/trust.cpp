@@ -14,11 +14,22 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// @param found  a sentence about the file.
+void expect_digest(const TrustedFile& expected, const std::string& digest, const std::string& found) {
+  if (digest != expected.sha256)
+    throw ConfigError(expected.where + ": " + found + ", expected " + expected.sha256 +
+                      ": it is not the file that is trusted");
+}
+
+std::string digest_found(const std::string& what, const std::string& file, const std::string& digest) {
+  return what + ": " + file + " has SHA-256 " + digest;
+}
+
 /// @param known  what the list names of this sort.
-void expect_digest(const TrustedPlugins& trusted, const std::map<std::string, TrustedFile>& known,
+void expect_listed(const TrustedPlugins& trusted, const std::map<std::string, TrustedFile>& known,
                    const std::string& key, const std::string& what, const std::string& file,
                    const std::string& digest) {
-  const std::string found = what + ": " + file + " has SHA-256 " + digest;
+  const std::string found = digest_found(what, file, digest);
   const auto listed_file = known.find(key);
   if (listed_file == known.end()) {
     std::vector<std::string> names;
@@ -26,10 +37,7 @@ void expect_digest(const TrustedPlugins& trusted, const std::map<std::string, Tr
     throw ConfigError(trusted.where + ": " + found +
                       " and is not in the list, expected one of: " + listed(names, "none"));
   }
-  const TrustedFile& expected = listed_file->second;
-  if (digest != expected.sha256)
-    throw ConfigError(expected.where + ": " + found + ", expected " + expected.sha256 +
-                      ": it is not the file that is trusted");
+  expect_digest(listed_file->second, digest, found);
 }
 
 }  // namespace
@@ -40,9 +48,14 @@ std::string class_file_key(const std::string& file) {
   return error ? file : canonical.string();
 }
 
-void expect_trusted_plugin(const TrustedPlugins& trusted, const std::string& plugin, const std::string& file,
-                           const std::string& digest) {
-  expect_digest(trusted, trusted.plugins, plugin, "plugin " + plugin, file, digest);
+void expect_trusted_plugin(const TrustedPlugins& trusted, DescribedLibrary& library) {
+  const PluginDescription& description = library.description();
+  const std::string what = "plugin " + description.name;
+  expect_listed(trusted, trusted.plugins, description.name, what, library.file(), library.digest());
+  const auto expected = trusted.descriptions.find(description.name);
+  if (expected == trusted.descriptions.end()) return;
+  expect_digest(expected->second, description.sha256,
+                digest_found(what, description_file(library.file()), description.sha256));
 }
 
 void expect_trusted_class(const TrustedPlugins& trusted, const std::string& source) {
@@ -50,7 +63,7 @@ void expect_trusted_class(const TrustedPlugins& trusted, const std::string& sour
   if (!found)
     throw ConfigError(trusted.where + ": " + source +
                       " is a class of a module, expected FILE.py:CLASS with the file in the list");
-  expect_digest(trusted, trusted.class_files, class_file_key(found->file), "class " + found->name, found->file,
+  expect_listed(trusted, trusted.class_files, class_file_key(found->file), "class " + found->name, found->file,
                 sha256_of_file(found->file));
 }
 

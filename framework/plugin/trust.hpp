@@ -1,5 +1,7 @@
 #pragma once
 
+#include "plugin/described_library.hpp"
+
 #include <opal/plugin/trusted_plugins.hpp>
 
 #include <string>
@@ -9,10 +11,9 @@ namespace opal {
 /// By which a file of classes is known in a list.
 std::string class_file_key(const std::string& file);
 
-/// Whether a plugin's library is what a list says. @throws ConfigError naming plugin, file, and both digests.
-/// @param digest  SHA-256 of the file.
-void expect_trusted_plugin(const TrustedPlugins& trusted, const std::string& plugin, const std::string& file,
-                           const std::string& digest);
+/// Whether a plugin's library, and its description if the list has that, are what the list says. @throws ConfigError
+/// naming plugin, file, and both digests.
+void expect_trusted_plugin(const TrustedPlugins& trusted, DescribedLibrary& library);
 
 /// Whether the file of a class is. @param source  "FILE:CLASS", found. @throws ConfigError likewise, also for a class
 /// that is in no file but in a module.

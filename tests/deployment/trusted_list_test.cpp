@@ -81,6 +81,21 @@ TEST_CASE("trusted plugins and files of classes are read with the place of each 
   CHECK(parsed("\"trusted_plugins\": []").trusted_plugins.has_value());
 }
 
+TEST_CASE("a trusted plugin may come with the digest of its description") {
+  json with = entry("plugin", "lines"), without = entry("plugin", "circles");
+  with["description_sha256"] = std::string(64, 'b');
+  const auto trusted = parsed("\"trusted_plugins\": " + list_of(with, without)).trusted_plugins;
+  REQUIRE(trusted->descriptions.size() == 1);
+  CHECK(trusted->descriptions.at("lines") ==
+        TrustedFile{std::string(64, 'b'), kFile + ": /trusted_plugins/0/description_sha256"});
+  with["description_sha256"] = "b";
+  CHECK(list_refusal(list_of(with)) ==
+        "/trusted_plugins/0/description_sha256: \"b\", expected 64 hexadecimal digits, 0-9 and a-f");
+  json of_file = entry("file", "a.py");
+  of_file["description_sha256"] = kDigest;
+  CHECK_THAT(list_refusal(list_of(of_file)), StartsWith("/trusted_plugins/0/description_sha256: unknown key"));
+}
+
 TEST_CASE("a list of trusted plugins that is malformed is refused with its place") {
   const std::string expected = ", expected 64 hexadecimal digits, 0-9 and a-f";
   for (const std::string& digest :

@@ -4,6 +4,7 @@
 #include "deployment/class_files.hpp"
 #include "deployment/store_source.hpp"
 #include "deployment/types_made.hpp"
+#include "plugin/described_library.hpp"
 #include "session/session.hpp"
 #include "session/shipped_files.hpp"
 #include "session/stored_maps.hpp"
@@ -42,9 +43,13 @@ std::vector<std::string> types_of(const TrustedListRequest& request, const Deplo
   return types;
 }
 
-/// @param key  "plugin" or "file".
-std::string entry(const char* key, const std::string& name, const std::string& file) {
-  return fmt::format("  {{ \"{}\": {}, \"sha256\": \"{}\" }}", key, nlohmann::json(name).dump(), sha256_of_file(file));
+std::string entry_of_plugin(const std::string& name, const std::string& library) {
+  return fmt::format(R"(  {{ "plugin": {}, "sha256": "{}", "description_sha256": "{}" }})", nlohmann::json(name).dump(),
+                     sha256_of_file(library), sha256_of_file(description_file(library)));
+}
+
+std::string entry_of_file(const std::string& name, const std::string& file) {
+  return fmt::format(R"(  {{ "file": {}, "sha256": "{}" }})", nlohmann::json(name).dump(), sha256_of_file(file));
 }
 
 }  // namespace
@@ -56,10 +61,10 @@ std::string trusted_list(const TrustedListRequest& request) {
   for (const std::string& type : types_of(request, deployment, registry))
     plugins[registry.type(type).plugin] = registry.type(type).file;
   std::vector<std::string> entries;
-  for (const auto& [name, file] : plugins) entries.push_back(entry("plugin", name, file));
+  for (const auto& [name, file] : plugins) entries.push_back(entry_of_plugin(name, file));
   const fs::path folder = fs::absolute(deployment.file).parent_path();
   for (const std::string& file : class_files(deployment))
-    entries.push_back(entry("file", fs::absolute(file).lexically_proximate(folder).string(), file));
+    entries.push_back(entry_of_file(fs::absolute(file).lexically_proximate(folder).string(), file));
   return fmt::format("\"trusted_plugins\": [\n{}\n]\n", fmt::join(entries, ",\n"));
 }
 

@@ -1,6 +1,8 @@
 #include "plugin_files.hpp"
 
 #include "common/digest/sha256.hpp"
+#include "common/text_file.hpp"
+#include "plugin/described_library.hpp"
 #include "tests/kit/refusal.hpp"
 
 #include <opal/common/error.hpp>
@@ -36,9 +38,16 @@ class TrustedGood {
   const std::string& digest() const { return digest_; }
   const PluginRegistry& all() const { return registry_; }
   TrustedPlugins list(const std::string& digest) const {
-    return {"a.jsonld: /trusted_plugins", {{"good", {digest, "a.jsonld: /trusted_plugins/0/sha256"}}}, {}};
+    return {"a.jsonld: /trusted_plugins", {{"good", {digest, "a.jsonld: /trusted_plugins/0/sha256"}}}, {}, {}};
   }
   PluginRegistry trusting(const std::string& digest) const { return registry_.trusting(list(digest)); }
+  /// The list of its library as it is, and of a description with this digest.
+  PluginRegistry trusting_description(const std::string& digest) const {
+    TrustedPlugins trusted = list(digest_);
+    trusted.descriptions["good"] = {digest, "a.jsonld: /trusted_plugins/0/description_sha256"};
+    return registry_.trusting(trusted);
+  }
+  std::string description_file() const { return opal::description_file(file_); }
   /// Another file in its place, with another bit in the middle, which is still a library.
   void change_a_byte() const {
     std::string bytes = content_of(file_);
@@ -81,6 +90,26 @@ TEST_CASE("a plugin whose file was changed by one bit is refused before any of i
   CHECK_FALSE(good_was_opened());
 }
 
+TEST_CASE("a plugin with another description than the trusted one is refused before any of its code runs") {
+  const TrustedGood good;
+  const std::string found = sha256_of_file(good.description_file()), other(64, '0');
+  const PluginRegistry registry = good.trusting_description(other);
+  CHECK(making_refusal(registry) ==
+        "a.jsonld: /trusted_plugins/0/description_sha256: plugin good: " + good.description_file() + " has SHA-256 " +
+            found + ", expected " + other + ": it is not the file that is trusted");
+  CHECK_FALSE(good_was_opened());
+  CHECK(making_refusal(good.trusting_description(found)) == "accepted");
+}
+
+TEST_CASE("a description counts as it was read, not as its file is later") {
+  const TrustedGood good;
+  const std::string read = sha256_of_file(good.description_file());
+  write_text(good.description_file(), "{}");
+  CHECK(making_refusal(good.trusting_description(read)) == "accepted");
+  CHECK_THAT(making_refusal(good.trusting_description(sha256_of_file(good.description_file()))),
+             Contains("description_sha256: plugin good: "));
+}
+
 TEST_CASE("a plugin that is changed after it was checked, before it is opened, is refused") {
   const TrustedGood good;
   const PluginRegistry registry = good.trusting(good.digest());
@@ -93,7 +122,7 @@ TEST_CASE("a plugin that is changed after it was checked, before it is opened, i
 TEST_CASE("a plugin that is not in the list is refused before any of its code runs") {
   const TrustedGood good;
   const PluginRegistry registry =
-      good.all().trusting(TrustedPlugins{"a.jsonld: /trusted_plugins", {{"lines", {good.digest(), ""}}}, {}});
+      good.all().trusting(TrustedPlugins{"a.jsonld: /trusted_plugins", {{"lines", {good.digest(), ""}}}, {}, {}});
   CHECK(making_refusal(registry) == "a.jsonld: /trusted_plugins: plugin good: " + good.file() + " has SHA-256 " +
                                         good.digest() + " and is not in the list, expected one of: lines");
   CHECK_FALSE(registry.is_listed("bad:good"));
@@ -102,7 +131,7 @@ TEST_CASE("a plugin that is not in the list is refused before any of its code ru
 
 TEST_CASE("an empty list trusts nothing, and no list trusts all") {
   const TrustedGood good;
-  const PluginRegistry none = good.all().trusting(TrustedPlugins{"a.jsonld: /trusted_plugins", {}, {}});
+  const PluginRegistry none = good.all().trusting(TrustedPlugins{"a.jsonld: /trusted_plugins", {}, {}, {}});
   CHECK_THAT(making_refusal(none), Contains("is not in the list, expected one of: none"));
   CHECK(making_refusal(good.all().trusting(std::nullopt)) == "accepted");
 }
@@ -125,7 +154,7 @@ TEST_CASE("a library that is open stays what it was when it was checked") {
 
 TEST_CASE("a registry that trusts a list loads nothing else") {
   const TrustedGood good;
-  PluginRegistry none = PluginRegistry().trusting(TrustedPlugins{"a.jsonld: /trusted_plugins", {}, {}});
+  PluginRegistry none = PluginRegistry().trusting(TrustedPlugins{"a.jsonld: /trusted_plugins", {}, {}, {}});
   CHECK_THAT(refused_with<ConfigError>([&] { none.load(good.file()); }),
              Contains("plugin good") && Contains("is not in the list"));
   CHECK_THAT(refused_with<ConfigError>([&] { none.load_all(std::filesystem::path(good.file()).parent_path()); }),

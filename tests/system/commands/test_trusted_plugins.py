@@ -44,6 +44,15 @@ class TrustedPlugins(InFolder):
             self.assertIn(f"/sha256: plugin {entry['plugin']}: ", said)
             self.assertIn(f"has SHA-256 {entry['sha256']}, expected {'0' * 64}", said)
 
+    def test_descriptions_are_needed_as_they_are(self):
+        self.deployment()
+        trusted = self.printed("--map", MAP, "--log", LOG)
+        entry = trusted[0]
+        self.deployment([{**entry, "description_sha256": "0" * 64}, *trusted[1:]])
+        said = self.localize(exit_code=3)
+        self.assertIn(f"/description_sha256: plugin {entry['plugin']}: ", said)
+        self.assertIn(f"has SHA-256 {entry['description_sha256']}, expected {'0' * 64}", said)
+
     def test_readers_that_are_not_listed_are_not_asked(self):
         self.deployment()
         trusted = [entry for entry in self.printed("--map", MAP, "--log", LOG) if entry["plugin"] != "carmen_log"]

@@ -53,6 +53,7 @@ struct PluginDescription {
   std::string version;                               ///< of the plugin; free text
   std::vector<DescribedType> types;                  ///< in the order of the document
   std::map<std::string, std::string> prefixes = {};  ///< of names in it, with their IRIs
+  std::string sha256 = {};                           ///< of the document's file as it was read; empty: none was
 };
 
 /// Strict: unknown keys, missing keys, names given twice and defaults out of range are errors.
