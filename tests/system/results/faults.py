@@ -7,7 +7,7 @@ import sys
 
 from redrawn import run
 
-DRIVES = 40
+DRIVES = 200
 WRONG_FOR_S = 1
 
 
