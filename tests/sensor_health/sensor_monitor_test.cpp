@@ -1,9 +1,8 @@
 // A simulated robot drives in a generated building; what is described of it is right, or wrong in one way.
 #include "sensor_health/sensor_monitors.hpp"
+#include "shipped_matcher.hpp"
 #include "simulation/buildings/building.hpp"
 #include "simulation/simulation.hpp"
-
-#include <opal/plugin/plugin_registry.hpp>
 
 #include <catch2/catch.hpp>
 
@@ -13,15 +12,6 @@ namespace {
 
 using Subject = SensorFinding::Subject;
 using Verdict = SensorFinding::Verdict;
-
-std::shared_ptr<const ScanMatcher> matcher() {
-  static PluginRegistry registry = [] {
-    PluginRegistry loaded;
-    loaded.load(OPAL_PLUGIN_DIR "/point_to_line_matcher.so");
-    return loaded;
-  }();
-  return registry.make<ScanMatcher>("opal:PointToLineMatcher");
-}
 
 /// What a drive gives to a monitor: the reading, and odometry.
 struct Reading {
@@ -72,7 +62,7 @@ std::vector<Reading> driven_with(const std::string& kind, const Change& change) 
 }
 
 SensorMonitors watched(const std::vector<Reading>& readings, const LaserModel& described) {
-  SensorMonitors monitor({described}, matcher());
+  SensorMonitors monitor({described}, shipped_matcher());
   for (const Reading& reading : readings)
     monitor.add(sample_of(make_scan(reading.scan, described), reading.T_odom_base, described.T_base_laser));
   return monitor;
@@ -147,7 +137,7 @@ TEST_CASE("a robot that stands in a crowd is not one whose odometry has frozen")
   simulation::Simulation robot(simulation::generate_building({kind, 1, 0, 0.5}).map, options, 1);
   Random random(1);
   robot.place(Pose2(robot.floor().anywhere(random), 0));
-  SensorMonitors monitor({true_laser()}, matcher());
+  SensorMonitors monitor({true_laser()}, shipped_matcher());
   int frozen = 0;
   for (int step = 0; step < 600; ++step) {
     robot.drive({{0, 0}, 0}, 0.1);
@@ -211,7 +201,7 @@ TEST_CASE("ranges in millimetres are noticed") {
 }
 
 TEST_CASE("empty scans, NaN and a robot that stands say nothing") {
-  SensorMonitors monitor({true_laser()}, matcher());
+  SensorMonitors monitor({true_laser()}, shipped_matcher());
   Scan nan;
   nan.points.push_back({{NAN, NAN}, NAN, NAN, 0});
   for (int k = 0; k < 50; ++k) {
