@@ -55,3 +55,18 @@ TEST_CASE("keyframes without points, and points beyond reach, are no trouble") {
   far.points = {Point(1e6, 0), Point(0, 1e9)};
   CHECK(matched_points({0, 0}, {far, far}).empty());
 }
+
+TEST_CASE("what lies beyond one rim of the reach is not taken for what lies within the other one") {
+  constexpr double kReach_m = 20;
+  for (int quarter = 0; quarter < 4; ++quarter) {
+    CAPTURE(quarter);
+    const Pose2 turned(0, 0, quarter * std::numbers::pi / 2);
+    Keyframe before, now;  // a wall that only the one has seen, a leg that only the other has
+    for (int k = -15; k <= 15; ++k) before.points.push_back(turned * Point(-kReach_m - 0.05, 0.1 * k));
+    for (int k = -2; k <= 2; ++k) now.points.push_back(turned * Point(kReach_m - 0.05, 0.05 * k));
+    before.driven_m = 0, now.driven_m = 1;
+    CHECK(matched_points({0, 0}, {before, now}).empty());
+    before.points = now.points;
+    CHECK(matched_points({0, 0}, {before, now}).size() == 10);
+  }
+}
