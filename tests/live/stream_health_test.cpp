@@ -134,3 +134,27 @@ TEST_CASE("scans and odometry that are stamped by two clocks are told by how muc
   if (apart_s < 0) CHECK(words == Words{"laser: scans are stamped 2.0 s earlier" + end});
   if (apart_s == 0.8) CHECK(words.empty());
 }
+
+TEST_CASE("scans are of the laser whose frame they name; a single laser without a frame takes all of them") {
+  const auto missing = [](const std::vector<std::string>& frames, const std::string& of_scans) {
+    std::vector<LaserModel> lasers(frames.size());
+    for (std::size_t k = 0; k < frames.size(); ++k) lasers[k].frame = frames[k];
+    StreamHealth health(lasers, LiveOptions{});
+    for (int k = 0; k < 50; ++k) {
+      RawScan scan;
+      scan.stamp_s = 0.1 * k;
+      scan.frame = of_scans;
+      health.take(OdometryRecord{scan.stamp_s, Pose2()}, scan.stamp_s, scan.stamp_s);
+      health.take(scan, scan.stamp_s, scan.stamp_s);
+    }
+    Words words;
+    for (const HealthFinding& finding : health.findings(5)) words.push_back(finding.subject);
+    return words;
+  };
+  CHECK(missing({""}, "front").empty());
+  CHECK(missing({"front"}, "front").empty());
+  CHECK(missing({"front"}, "rear") == Words{"laser"});
+  CHECK(missing({"front", "rear"}, "front") == Words{"laser rear"});
+  CHECK(missing({"front", "rear"}, "rear") == Words{"laser front"});
+  CHECK(missing({"", "rear"}, "front").size() == 2);
+}
