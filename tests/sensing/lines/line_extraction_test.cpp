@@ -64,6 +64,16 @@ int pieces_of_wall(double turned_rad) {
       std::count_if(lines.begin(), lines.end(), [](const Line& line) { return line.segment.midpoint().x() > 1.5; }));
 }
 
+/// Lines about 4 m ahead: two metres of wall to each side of what a box nearer by hides.
+std::size_t pieces_beside_hidden(double hidden_m) {
+  const double half_m = hidden_m / 2;
+  const std::vector<Segment> faces{
+      {{4, -half_m - 2}, {4, -half_m}}, {{1, -half_m / 4}, {1, half_m / 4}}, {{4, half_m}, {4, half_m + 2}}};
+  const auto lines = extract_lines(chained(scan_of(faces), {}), {});
+  return static_cast<std::size_t>(
+      std::count_if(lines.begin(), lines.end(), [](const Line& line) { return line.segment.midpoint().x() > 3; }));
+}
+
 LineFit fit(const std::vector<Point>& points, const ReadingNoise& noise) {
   const Run run{0, static_cast<int>(points.size()) - 1};
   return fit_line(chains_of(points), {&run, 1}, noise);
@@ -169,6 +179,13 @@ TEST_CASE("two pieces of a wall are one behind something nearer, if they are as 
   CHECK(pieces_of_wall(0.04) == 1);
   CHECK(pieces_of_wall(0.17) == 2);
   CHECK(pieces_of_wall(-0.17) == 2);
+}
+
+TEST_CASE("a wall goes on behind what hides it, but not behind what hides more of it than a wall is trusted to span") {
+  const double most_m = LineExtractionOptions{}.max_hidden_gap_m;
+  CHECK(pieces_beside_hidden(0.5) == 1);
+  CHECK(pieces_beside_hidden(0.9 * most_m) == 1);
+  CHECK(pieces_beside_hidden(1.1 * most_m) == 2);
 }
 
 TEST_CASE("chains begin after the largest break, and missing beams are a larger one than a jump in range") {
