@@ -175,3 +175,28 @@ TEST_CASE("who looks patterns of a large map up keeps them where the map is kept
   const CandidateGenerator read(kept, templates, {});
   CHECK(patterns_in(folder.path()) == files);
 }
+
+TEST_CASE("a tree whose arrays do not belong together is not sound") {
+  constexpr std::size_t kPatterns = 40, kDimensions = 3;
+  std::mt19937 random(3);
+  std::vector<float> values(kPatterns * kDimensions);
+  for (float& value : values) value = static_cast<float>(random() % 100);
+  const InvariantTree tree(kPatterns, kDimensions, values);
+  const auto copied = [](const auto& array) { return std::vector(array.values().begin(), array.values().end()); };
+  const auto is_sound = [&](const auto& change) {
+    auto order = copied(tree.arrays().order);
+    auto invariants = copied(tree.arrays().values);
+    auto boxes = copied(tree.arrays().boxes);
+    change(order, invariants, boxes);
+    const InvariantTree::Arrays arrays{ReadOnlyArray(std::move(order)), ReadOnlyArray(std::move(invariants)),
+                                       ReadOnlyArray(std::move(boxes))};
+    return InvariantTree::are_sound(kPatterns, kDimensions, arrays);
+  };
+  CHECK(is_sound([](auto&, auto&, auto&) {}));
+  CHECK_FALSE(is_sound([](auto& order, auto&, auto&) { order.pop_back(); }));
+  CHECK_FALSE(is_sound([](auto& order, auto&, auto&) { order[7] = -1; }));
+  CHECK_FALSE(is_sound([](auto& order, auto&, auto&) { order[7] = kPatterns; }));
+  CHECK_FALSE(is_sound([](auto&, auto& invariants, auto&) { invariants.pop_back(); }));
+  CHECK_FALSE(is_sound([](auto&, auto&, auto& boxes) { boxes.pop_back(); }));
+  CHECK_FALSE(is_sound([](auto&, auto&, auto& boxes) { boxes.push_back(boxes.back()); }));
+}
