@@ -3,6 +3,7 @@
 #include "common/digest/sha256.hpp"
 #include "common/phrases.hpp"
 #include "plugin/class_source.hpp"
+#include "plugin/described_library.hpp"
 
 #include <opal/common/error.hpp>
 

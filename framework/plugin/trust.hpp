@@ -1,12 +1,12 @@
 #pragma once
 
-#include "plugin/described_library.hpp"
-
 #include <opal/plugin/trusted_plugins.hpp>
 
 #include <string>
 
 namespace opal {
+
+class DescribedLibrary;
 
 /// By which a file of classes is known in a list.
 std::string class_file_key(const std::string& file);

@@ -15,7 +15,8 @@ struct Surfel {
   Point normal = Point::Zero();
   double normal_variance = 0;  ///< of its heading, where the cells about it tell it [rad^2]
   Point end = Point::Zero();   ///< along the outline, to where it ends in view; zero if it goes on to both sides
-  /// Some of its points have a near neighbour; if not, they say little about where a surface is. Of points off lines.
+  /// Some of its points have a near neighbour; if not, they say little about where a surface is. Only known where the
+  /// cells about it do not tell the direction.
   bool dense = false;
   int points = 0;
 };
