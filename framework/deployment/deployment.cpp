@@ -4,6 +4,7 @@
 
 #include <opal/common/error.hpp>
 #include <opal/common/strict_json.hpp>
+#include <opal/localization/options/caution.hpp>
 #include "deployment/localizer_options.hpp"
 #include "deployment/store_source.hpp"
 #include "deployment/trusted_list.hpp"
@@ -231,6 +232,15 @@ void read_sensors(ConfigObject& document, Deployment& deployment) {
   expect_distinct(document, deployment.lasers);
 }
 
+/// What the document prefers, and what it changes of that.
+LocalizerOptions read_stages(ConfigObject& document) {
+  const std::string caution = document.text("caution", "usual");
+  if (caution != "usual" && caution != "careful") document.refuse("caution", "\"usual\" or \"careful\"");
+  const LocalizerOptions preferred = options_of(caution == "careful" ? Caution::careful : Caution::usual);
+  if (!document.object("stages")) return preferred;
+  return read_localizer_options(document.any("stages"), document.where("stages"), preferred);
+}
+
 Deployment read(const nlohmann::json& json, const std::string& file) {
   if (json.contains("@graph"))
     throw ConfigError(file + ": is a map, expected a deployment document; a map is named behind --map");
@@ -253,8 +263,7 @@ Deployment read(const nlohmann::json& json, const std::string& file) {
   if (auto sources = document.list("log_sources")) deployment.log_sources = read_parts(*sources);
   deployment.trusted_plugins = read_trusted_plugins(document, file);
   deployment.scorers = read_scorers(document);
-  if (document.object("stages"))
-    deployment.stages = read_localizer_options(document.any("stages"), document.where("stages"));
+  deployment.stages = read_stages(document);
   document.expect_no_more();
   return deployment;
 }

@@ -115,9 +115,9 @@ std::vector<DescribedStage> describe_stages() {
   return stages;
 }
 
-LocalizerOptions read_localizer_options(const nlohmann::json& stages, const std::string& where) {
+LocalizerOptions read_localizer_options(const nlohmann::json& stages, const std::string& where,
+                                        LocalizerOptions options) {
   if (!stages.is_object()) throw ConfigError(where + ": " + stages.dump() + ", expected an object of stages");
-  LocalizerOptions options;
   std::vector<std::string> known;
   std::size_t read = 0;
   for_each_stage(options, [&](const char* name, const char*, auto& stage) {

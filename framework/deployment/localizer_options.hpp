@@ -22,7 +22,9 @@ OPAL_EXPORT std::vector<DescribedStage> describe_stages();
 
 /// Reads the object "stages" of a deployment strictly.
 /// @param where  file and JSON pointer of the object, for messages.
+/// @param options  what holds where the object says nothing.
 /// @throws ConfigError "FILE: /stages/search/patterns: 0, expected an integer from 1 to 1000".
-OPAL_EXPORT LocalizerOptions read_localizer_options(const nlohmann::json& stages, const std::string& where);
+OPAL_EXPORT LocalizerOptions read_localizer_options(const nlohmann::json& stages, const std::string& where,
+                                                    LocalizerOptions options = {});
 
 }  // namespace opal

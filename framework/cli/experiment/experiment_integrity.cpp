@@ -14,10 +14,14 @@
 #include "common/text_file.hpp"
 #include "report/table_files.hpp"
 
+#include <opal/common/error.hpp>
 #include <opal/common/strict_json.hpp>
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cctype>
+#include <charconv>
 #include <filesystem>
 #include <iostream>
 #include <thread>
@@ -116,8 +120,22 @@ int run_campaign(const IntegrityVerbOptions& options, const experiments::Campaig
   return kDone;
 }
 
+/// A drive of the campaign by its number, or the drive of a document.
+experiments::DrawnDrive drive_to_repeat(const IntegrityVerbOptions& options) {
+  const std::string& asked = options.repeat;
+  const bool is_number = std::ranges::all_of(asked, [](unsigned char c) { return std::isdigit(c) != 0; });
+  if (!is_number || fs::exists(asked)) return experiments::drawn_drive_from(read_json(asked), asked);
+  const experiments::Campaign campaign(options.campaign);
+  std::size_t number = campaign.size();
+  std::from_chars(asked.data(), asked.data() + asked.size(), number);
+  if (number >= campaign.size())
+    throw ConfigError(
+        fmt::format("--repeat {}: expected a drive of the campaign, 0 to {}", asked, campaign.size() - 1));
+  return campaign.drive(number);
+}
+
 int repeat(const IntegrityVerbOptions& options, const experiments::CampaignRobots& robots) {
-  const experiments::DrawnDrive drive = experiments::drawn_drive_from(read_json(options.repeat), options.repeat);
+  const experiments::DrawnDrive drive = drive_to_repeat(options);
   OutputFolder folder(options.out, "opal experiment integrity --repeat",
                       {"drive.json", "events.jsonl", "page.html", "run.json", "picture.svg"});
   const experiments::ShownDrive shown = repeat_drive(drive, robots, folder.path());
@@ -157,7 +175,8 @@ void add_experiment_integrity(CLI::App& experiment, int& exit_code) {
                    "only this part, as a job array's task: 3/50; the report is made without --shard")
       ->capture_default_str();
   add_number(*verb, "--worst", o->worst, std::size_t{0}, std::size_t{1000}, "drives that get a page");
-  verb->add_option("--repeat", o->repeat, "only repeat the drive of this document (drive.json), and leave its page");
+  verb->add_option("--repeat", o->repeat,
+                   "only repeat the drive of this document (drive.json), or of this number, and leave its page");
   add_number(*verb, "--jobs", o->jobs, 1, 1000, "at the same time; results do not depend on it");
   verb->callback([o, &exit_code] { exit_code = integrity(*o); });
 }

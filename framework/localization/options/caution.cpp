@@ -1,0 +1,26 @@
+#include <opal/localization/options/caution.hpp>
+
+namespace opal {
+namespace {
+
+/// Where two places differ little, errors of the map decide between them: no lead of a fixed size is enough then. What
+/// a search leaves out cannot contradict, so it keeps twice as much. docs/notebook/evidence.md, 2026-11-28, has what
+/// was tried.
+LocalizerOptions careful_options() {
+  LocalizerOptions options;
+  options.search.close_looks *= 2;
+  options.search.candidates *= 2;
+  options.search.hypotheses *= 2;
+  options.status.localized_weight *= 2;
+  options.status.localized_lead *= 2;
+  options.status.localized_lead_nat = 1000;  // more than any drive gathers
+  return options;
+}
+
+}  // namespace
+
+LocalizerOptions options_of(Caution caution) {
+  return caution == Caution::careful ? careful_options() : LocalizerOptions();
+}
+
+}  // namespace opal
