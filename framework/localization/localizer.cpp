@@ -58,7 +58,7 @@ struct Localizer::State {
   void carry();
   std::optional<Pose2> best_pose_at(const Pose2& T_odom_base) const;
   PoseEstimate with_place(PoseEstimate estimate) const;
-  void watch();
+  void watch(const Observation& observation);
   void settle();
   int searched_every() const;
   void search_map(const Observation& observation, const Sample& sample);
@@ -77,6 +77,7 @@ struct Localizer::State {
   RunJournal journal;
   RetrospectiveVerification retrospective;
   HypothesisSet hypotheses;
+  ScanAgreement newest_agreement;
   KidnapDetector kidnapping;
   RideWatch rides;
   Settling settling;
@@ -124,7 +125,7 @@ std::optional<PoseEstimate> Localizer::update(const Sample& recorded) {
   const Observation observation = observe(s.local_map, sample, std::move(seen));  // base_link frame
   s.journal.keyframe(sample, s.keyframe, observation);
   s.track(observation, sample);  // map frame from here on
-  s.watch();
+  s.watch(observation);
   s.search_map(observation, sample);
   s.grow();
   s.hypotheses.remember(observation, s.keyframe, s.tempering_weight(), s.retrospective);
@@ -192,7 +193,7 @@ PoseEstimate Localizer::State::estimate(const Observation& observation) {
   return status.estimate(
       all, T_local_base, stamp_s,
       {tempering_weight(), kidnapping.probability(), unmapped_walls_m(local_map, *parts.map, T_map_local),
-       kidnapping.is_broken(), agreement(observation, *parts.map, T_map_local * T_local_base)});
+       kidnapping.is_broken(), newest_agreement.at(T_map_local * T_local_base, observation, *parts.map)});
 }
 
 void Localizer::State::track(const Observation& observation, const Sample& sample) {
@@ -223,14 +224,17 @@ PoseEstimate Localizer::State::with_place(PoseEstimate estimate) const {
 }
 
 /// Asks whether the robot is still where the best hypothesis has it.
-void Localizer::State::watch() {
+void Localizer::State::watch(const Observation& observation) {
   search_now = false;
+  newest_agreement.clear();
   if (rode) carry();
   if (hypotheses.alive().empty()) return kidnapping.reset();
   const Live& best = hypotheses.alive().front();
   const bool suspected = kidnapping.is_suspicious();
   const bool established = status.believed() || best.kidnapped_after.exists();
-  kidnapping.add({keyframe, tempering_weight(), local_map.last_match().inlier_share, best.scan_nat,
+  const Pose2 T_map_base = best.hypothesis.T_map_local * local_map.T_local_base();
+  kidnapping.add({keyframe, tempering_weight(), local_map.last_match().inlier_share,
+                  newest_agreement.at(T_map_base, observation, *parts.map), best.scan_nat,
                   best.hypothesis.log_likelihood, established, best.kidnapped_after});
   retrospective.suspect(kidnapping.suspected());
   search_now = !suspected && kidnapping.is_suspicious();

@@ -33,7 +33,8 @@ void KidnapDetector::add(const Evidence& seen) {
   is_broken_ = seen.match_share < kBrokenShare * usual_share_;
   constexpr double kShareMemory = 0.8;
   usual_share_ = kShareMemory * usual_share_ + (1 - kShareMemory) * seen.match_share;
-  if (seen.match_share < kContinuingShare) discontinued_ = seen.keyframe;
+  const bool fell = agreement_fall_.add(seen.agreement);
+  if (seen.match_share < kContinuingShare || fell) discontinued_ = seen.keyframe;
   turn_to(seen);
   // Without a break, scans taken close together miss the same walls: they say little more than one of them does.
   const double share = discontinued(watch_) ? 1 : seen.tempering_weight;
@@ -70,6 +71,7 @@ void KidnapDetector::settle(double inherited_nat) {
 void KidnapDetector::reset() {
   watch_ = before_ = {};
   usual_share_ = 0;
+  agreement_fall_.clear();
   is_broken_ = false;
   discontinued_ = {};
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "localization/decision/map_agreement.hpp"
 #include "localization/search/retrospective_verification.hpp"
 
 #include <opal/localization/options/localizer_options.hpp>
@@ -11,7 +12,8 @@ namespace opal {
 /// Asks after every scan whether the robot has been kidnapped: a cumulative sum test (Page 1954) of "the best
 /// hypothesis was right up to some scan, and no scan since then was taken where it says" against "it is right". Who is
 /// kidnapped also sees something else from one scan to the next; who enters a part of the building that the map has
-/// wrong does not. As long as every scan continues those before, a scan counts by its tempering weight.
+/// wrong does not. In a room of the same shape the scan continues those before, but the map explains far less of it. As
+/// long as every scan continues those before, a scan counts by its tempering weight.
 class OPAL_EXPORT KidnapDetector {
  public:
   /// @param evidence_memory  as TrackingOptions.
@@ -23,6 +25,7 @@ class OPAL_EXPORT KidnapDetector {
     KeyframeId keyframe = {};     ///< its id
     double tempering_weight = 1;  ///< how much of a new piece of evidence it is, in (0, 1]
     double match_share = 0;       ///< of its points that lie on what was seen before
+    MapAgreement agreement{};     ///< of the map with it, by the hypothesis
     double scan_nat = 0;          ///< what it says for the hypothesis
     double gathered_nat = 0;      ///< what the hypothesis has gathered, this scan included
     bool established = false;     ///< the hypothesis had been believed before: suspicion begins with nothing else
@@ -75,8 +78,9 @@ class OPAL_EXPORT KidnapDetector {
   Watch watch_;             ///< of the best hypothesis
   Watch before_;            ///< of the one that was the best before
   double usual_share_ = 0;  ///< of points on what was seen before
+  AgreementFall agreement_fall_;
   bool is_broken_ = false;
-  KeyframeId discontinued_;  ///< the newest keyframe that did not continue those before
+  KeyframeId discontinued_;  ///< the newest keyframe that did not continue those before, or what they said of the map
 };
 
 }  // namespace opal

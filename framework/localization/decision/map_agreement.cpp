@@ -7,6 +7,10 @@ namespace opal {
 namespace {
 
 constexpr std::size_t kReturns = 60;  // per scan; more tell hardly more
+// A fall is this large at least, and so many times the usual change. Fewer beams than this share of all are too few to
+// tell. docs/notebook/evidence.md, 2026-11-28.
+constexpr double kLeastFall = 0.2, kTimesUsual = 6, kFewestBeams = 0.3;
+constexpr double kChangeMemory = 0.95;  // of some twenty scans
 constexpr double kOnSurface_m = 0.2, kPassed_m = 0.2, kPassedPer_m = 0.012;
 
 /// Of one return.
@@ -34,9 +38,24 @@ MapAgreement agreement(const Observation& observation, const MapView& map, const
   return looked > 0 ? MapAgreement{all.met / looked, all.passed / looked} : MapAgreement{};
 }
 
+const MapAgreement& ScanAgreement::at(const Pose2& T_map_base, const Observation& observation, const MapView& map) {
+  const bool is_there =
+      seen_ && distance_m(seen_->T_map_base, T_map_base) == 0 && angle_between_rad(seen_->T_map_base, T_map_base) == 0;
+  if (!is_there) seen_ = {T_map_base, agreement(observation, map, T_map_base)};
+  return seen_->agreement;
+}
+
 void MeanAgreement::add(const MapAgreement& scan, double tempering_weight) {
   const double kept = std::pow(memory_, tempering_weight);
   sum_ = {kept * sum_.met + (1 - kept) * scan.met, kept * sum_.passed + (1 - kept) * scan.passed};
+}
+
+bool AgreementFall::add(const MapAgreement& scan) {
+  const double fall = share_ - scan.share();
+  const bool fell = scan.met + scan.passed > kFewestBeams && fall > std::max(kLeastFall, kTimesUsual * usual_change_);
+  usual_change_ = kChangeMemory * usual_change_ + (1 - kChangeMemory) * std::abs(fall);
+  share_ = scan.share();
+  return fell;
 }
 
 }  // namespace opal

@@ -14,10 +14,11 @@ constexpr double kDetectorMemory = 0.99;
 
 /// A robot with one hypothesis, scan after scan.
 struct Watch {
-  void see(double scan_nat, double match_share = 1, bool established = true) {
+  void see(double scan_nat, double match_share = 1, bool established = true, const MapAgreement& agreement = {}) {
     gathered_nat = kDetectorMemory * gathered_nat + scan_nat;
     keyframe = keyframe.next();
-    detector.add({keyframe, tempering_weight, match_share, scan_nat, gathered_nat, established, kidnapped_after});
+    detector.add(
+        {keyframe, tempering_weight, match_share, agreement, scan_nat, gathered_nat, established, kidnapped_after});
   }
   void see_good(int scans) {
     for (int k = 0; k < scans; ++k) see(kGood_nat);
@@ -63,6 +64,22 @@ TEST_CASE("one bad scan that continues those before it is no reason to search") 
   watch.see_bad(1);
   CHECK_FALSE(watch.detector.suspected());
   CHECK(watch.detector.probability() < 0.01);
+}
+
+TEST_CASE("who is put into a room of the same shape is kidnapped: the map explains far less of it at once") {
+  constexpr MapAgreement kSound{0.9, 0.05}, kElsewhere{0.45, 0.5};
+  Watch watch;
+  for (int k = 0; k < 20; ++k) watch.see(kGood_nat, 1, true, kSound);
+  for (int k = 0; k < 6; ++k) watch.see(kBad_nat, 1, true, kElsewhere);
+  CHECK(watch.detector.suspected());
+  CHECK(watch.detector.probability() > 0.8);
+}
+
+TEST_CASE("who sees the map explain less and less is not kidnapped") {
+  Watch watch;
+  for (int k = 0; k < 20; ++k) watch.see(kGood_nat, 1, true, {0.9, 0.05});
+  for (double passed = 0.1; passed < 0.5; passed += 0.03) watch.see(kBad_nat, 1, true, {0.95 - passed, passed});
+  CHECK_FALSE(watch.detector.suspected());
 }
 
 TEST_CASE("who drives into a part that the map has wrong is not kidnapped, however long it lasts") {

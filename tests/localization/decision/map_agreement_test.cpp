@@ -55,6 +55,30 @@ TEST_CASE("a mean of agreements follows the newest, and parts of evidence count 
   CHECK(whole.share() == Approx(halves.share()));
 }
 
+TEST_CASE("agreement falls if it drops by far more than it usually changes, and enough beams tell") {
+  AgreementFall steady;
+  for (int k = 0; k < 40; ++k) CHECK_FALSE(steady.add({k % 2 == 0 ? 0.9 : 0.88, 0.1}));
+  AgreementFall few = steady, up_and_down;
+  CHECK_FALSE(few.add({0.1, 0.15}));  // most beams end before anything mapped
+  CHECK(steady.add({0.5, 0.45}));
+  CHECK_FALSE(steady.add({0.5, 0.45}));  // it stays where it is
+  for (int k = 0; k < 40; ++k) up_and_down.add({k % 2 == 0 ? 0.8 : 0.6, k % 2 == 0 ? 0.2 : 0.4});
+  CHECK_FALSE(up_and_down.add({0.5, 0.45}));  // as on a map that is wrong in many places
+}
+
+TEST_CASE("what a map says of a scan is told anew for another pose and another scan") {
+  const auto map = view_of(room());
+  const Robot robot(map, {4, 3, 0.4});
+  const Observation seen = robot.observation();
+  const Pose2 turned = robot.T_map_base() * Pose2(0, 0, 1.2);
+  ScanAgreement newest;
+  CHECK(newest.at(robot.T_map_base(), seen, *map).share() == agreement(seen, *map, robot.T_map_base()).share());
+  CHECK(newest.at(turned, seen, *map).share() == agreement(seen, *map, turned).share());
+  newest.clear();
+  const Observation elsewhere = Robot(map, {6, 4, 1}).observation();
+  CHECK(newest.at(turned, elsewhere, *map).share() == agreement(elsewhere, *map, turned).share());
+}
+
 TEST_CASE("of sixty returns each has a say, of more an even share of them") {
   const auto map = view_of({{"opal:Wall", Segment{{10, -5}, {10, 5}}}});
   const LocalMap nothing({}, nullptr);
