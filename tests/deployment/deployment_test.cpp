@@ -101,6 +101,20 @@ TEST_CASE("a deployment is read whole") {
   CHECK(deployment.stages.hypotheses.max_hypotheses == 7);
 }
 
+TEST_CASE("a careful deployment asks for more, and what its stages say goes first") {
+  const StatusOptions usual = parsed("").stages.status, careful = parsed(R"("caution": "careful")").stages.status;
+  CHECK(parsed(R"("caution": "usual")").stages.status.localized_lead == usual.localized_lead);
+  CHECK(careful.localized_lead > usual.localized_lead);
+  CHECK(careful.localized_weight > usual.localized_weight);
+  CHECK(careful.lead().nat(100) > usual.lead().nat(100));
+  const LocalizerOptions changed =
+      parsed(R"("caution": "careful", "stages": {"status": {"localized_lead": 0.2}, "search": {"patterns": 4}})").stages;
+  CHECK(changed.status.localized_lead == 0.2);
+  CHECK(changed.status.localized_weight == careful.localized_weight);
+  CHECK(changed.search.hypotheses > SearchOptions().hypotheses);
+  CHECK(refusal_of(document(R"("caution": "bold")")) == R"(/caution: "bold", expected "usual" or "careful")");
+}
+
 TEST_CASE("a scorer may stand twice where one observes, or with other options") {
   CHECK(parsed(R"("scorers": [{"@type": "a"}, {"@type": "a", "role": "observes"}])").scorers.size() == 2);
   CHECK(parsed(R"("scorers": [{"@type": "a"}, {"@type": "a", "options": {"b": 1}}])").scorers.size() == 2);

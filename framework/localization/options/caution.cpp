@@ -1,5 +1,7 @@
 #include <opal/localization/options/caution.hpp>
 
+#include <limits>
+
 namespace opal {
 namespace {
 
@@ -13,7 +15,7 @@ LocalizerOptions careful_options() {
   options.search.hypotheses *= 2;
   options.status.localized_weight *= 2;
   options.status.localized_lead *= 2;
-  options.status.localized_lead_nat = 1000;  // more than any drive gathers
+  options.status.localized_lead_nat = std::numeric_limits<double>::infinity();
   return options;
 }
 

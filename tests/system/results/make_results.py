@@ -2,8 +2,8 @@
 """Makes the tables of docs/results.md again, and tells every number that changed.
 
 Runs `opal bench` on the recorded sites, judges what it wrote, and fills the marked tables. Without names, all tables are made.
-A name is a table (full, stages, calibration, damage, sites, seeds, ten-maps, kidnapping, cuts, large, large-cpu, drives, drives-models,
-faults, integrity, mutants, fuzzing, redrawn, sketched, furnished, lasers, learning, campus, storeys) or a kind of map (full, plan, thick, drop, shift, wall, false, mixed, union, copies): then
+A name is a table (full, stages, calibration, damage, careful, sites, seeds, ten-maps, kidnapping, cuts, large, large-cpu, drives, drives-models,
+faults, integrity, integrity-careful, mutants, fuzzing, redrawn, sketched, furnished, lasers, learning, campus, storeys) or a kind of map (full, plan, thick, drop, shift, wall, false, mixed, union, copies): then
 only the rows of that kind are made.
 """
 
@@ -38,11 +38,12 @@ KINDS = {  # the row's label in docs/results.md, and what makes the map
     "mixed": ("mixed", [*PLAN, "--damage", "drop=0.3,shift=0.1,wall=0.6,false=0.3"]),
 }
 DAMAGED = [kind for kind in KINDS if kind != "full"]
+CAREFUL = {f"careful-{kind}": (KINDS[kind][0], [*KINDS[kind][1], "--config", "careful"]) for kind in ("full", "plan", "drop", "mixed")}
 JOINED = {"union": ("union of all sites", []), "copies": ("union and ten copies", ["--copies", "10"])}
 SITES = ["acapulco", "csail", "freiburg-079", "seattle", "malaga-demo", "malaga", "belgioioso"]
 STAGES = ("detect", "local_map", "track", "generate", "search", "retrospect", "grow")
 SEEDED = ("drop", "mixed")  # which walls are damaged matters most there
-DRIVEN = ("drives", "drives-models", "faults", "integrity", "mutants", "fuzzing", "redrawn", "sketched", "furnished", "lasers", "learning", "learning-walls", "campus", "storeys")  # make their runs themselves
+DRIVEN = ("drives", "drives-models", "faults", "integrity", "integrity-careful", "mutants", "fuzzing", "redrawn", "sketched", "furnished", "lasers", "learning", "learning-walls", "campus", "storeys")  # make their runs themselves
 BY_SEED = ("seeds", "ten-maps", "cuts")  # tables
 MAP_SEEDS, CUT_SEEDS = range(1, 21), range(1, 5)
 KIDNAPPING_OPTION, KIDNAPPING_FILE = "--kidnap", "kidnappings.csv"
@@ -99,7 +100,7 @@ class Bench:
         return self.out / kind
 
     def run_site(self, kind, seed, site):
-        arguments = [KIDNAPPING_OPTION, str(seed)] if kind == "kidnapping" else [*KINDS[kind][1], "--seed", str(seed)]
+        arguments = [KIDNAPPING_OPTION, str(seed)] if kind == "kidnapping" else [*{**KINDS, **CAREFUL}[kind][1], "--seed", str(seed)]
         self.run_bench(self.site_folder(kind, seed, site), [self.folder / site], arguments)
 
     def run_joined(self, kind):
@@ -179,6 +180,12 @@ def damage_table(bench, kinds):
     if not bench.complete:
         return {}
     return {KINDS[kind][0]: judged_cells(judge.totals(bench.all_verdicts(kind, 1))) for kind in kinds}
+
+
+def careful_table(bench, kinds):
+    if not bench.complete:
+        return {}
+    return {CAREFUL[kind][0]: judged_cells(judge.totals(bench.all_verdicts(kind, 1))) for kind in kinds}
 
 
 def sites_table(bench, kinds):
@@ -282,12 +289,12 @@ def large_cpu_table(bench):
 class Selection:
     """Which tables, and which kinds of map in them."""
 
-    TABLES = {"full": ["full"], "stages": ["full"], "calibration": ["full"], "damage": DAMAGED, "sites": list(KINDS),
+    TABLES = {"full": ["full"], "stages": ["full"], "calibration": ["full"], "damage": DAMAGED, "careful": list(CAREFUL), "sites": list(KINDS),
               "seeds": list(SEEDED), "ten-maps": list(SEEDED), "kidnapping": ["kidnapping"], "cuts": ["kidnapping"], "large": list(JOINED),
               "large-cpu": ["copies"], **{table: ["driven"] for table in DRIVEN}}
 
     def __init__(self, names):
-        known = {*self.TABLES, *KINDS, *JOINED, "kidnapping"}
+        known = {*self.TABLES, *KINDS, *CAREFUL, *JOINED, "kidnapping"}
         for name in names:
             if name not in known:
                 raise SystemExit(f"no table or kind of map '{name}'; there are {', '.join(sorted(known))}")
@@ -334,6 +341,7 @@ def make_tables(bench, driven, selection, seeds, page):
         "stages": lambda: stages_table(bench),
         "calibration": lambda: calibration_table(bench),
         "damage": lambda: damage_table(bench, kinds["damage"]),
+        "careful": lambda: careful_table(bench, kinds["careful"]),
         "sites": lambda: sites_table(bench, kinds["sites"]),
         "seeds": lambda: with_means(seeds_table(bench, kinds["seeds"], seeds), tables.table_in(page, "seeds")),
         "ten-maps": lambda: ten_maps_table(bench, kinds["ten-maps"], seeds),
