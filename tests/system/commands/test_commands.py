@@ -3,6 +3,7 @@
 import json
 import os
 import pathlib
+import re
 import subprocess
 
 from program_in_folder import DEMO, LOG, MAP, ROOT, InFolder
@@ -95,7 +96,7 @@ class OptionsReachEverything(Commands):
 
     def test_shipped_configurations_are_found_by_name_and_an_unknown_name_gets_the_list(self):
         self.assertIn("localized", self.localize(config="malaga"))
-        self.assertIn("behaviours, default, malaga", self.localize(config="nowhere", exit_code=3))
+        self.assertIn("behaviours, careful, careful_two_lasers, default, malaga", self.localize(config="nowhere", exit_code=3))
 
     def test_a_file_that_nobody_recognizes_gets_the_list_of_what_is_read(self):
         (self.folder / "odd.txt").write_text("odd")
@@ -150,6 +151,20 @@ class OptionsReachEverything(Commands):
         self.assertRegex(said, r"seed 4: GIVEN UP")
         for number in (value for value in json.loads(said.splitlines()[-1]).values() if isinstance(value, float)):
             self.assertEqual(number, round(number, 3))
+
+    def test_a_careful_deployment_is_localized_later(self):
+        usual = self.localize()
+        (self.folder / "careful.jsonld").write_text(json.dumps({**json.loads((ROOT / "configs" / "malaga.jsonld").read_text()),
+                                                                "map": str(MAP), "caution": "careful"}))
+        careful = self.localize(config="careful.jsonld")
+        metres = [float(re.match(r"localized after (\d+\.\d) m", text)[1]) for text in (usual, careful)]
+        self.assertLess(metres[0], metres[1])
+
+    def test_a_drive_of_a_campaign_is_repeated_by_its_number(self):
+        words = ("experiment", "integrity", "--drives", "20", "--duration", "10", "-o", "out", "--repeat")
+        self.assertIn("expected a drive of the campaign, 0 to 19", self.opal(*words, "20", exit_code=3))
+        self.opal(*words, "3")
+        self.assertEqual(json.loads((self.folder / "out" / "drive.json").read_text())["drive"], 3)
 
     def test_drive_takes_the_laser_of_a_deployment(self):
         room = ROOT / "maps" / "example_room.jsonld"
