@@ -108,7 +108,8 @@ TEST_CASE("a careful deployment asks for more, and what its stages say goes firs
   CHECK(careful.localized_weight > usual.localized_weight);
   CHECK(careful.lead().nat(100) > usual.lead().nat(100));
   const LocalizerOptions changed =
-      parsed(R"("caution": "careful", "stages": {"status": {"localized_lead": 0.2}, "search": {"patterns": 4}})").stages;
+      parsed(R"("caution": "careful", "stages": {"status": {"localized_lead": 0.2}, "search": {"patterns": 4}})")
+          .stages;
   CHECK(changed.status.localized_lead == 0.2);
   CHECK(changed.status.localized_weight == careful.localized_weight);
   CHECK(changed.search.hypotheses > SearchOptions().hypotheses);

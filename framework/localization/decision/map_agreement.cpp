@@ -7,9 +7,9 @@ namespace opal {
 namespace {
 
 constexpr std::size_t kReturns = 60;  // per scan; more tell hardly more
-// A fall is this large at least, and so many times the usual change. Fewer beams than this share of all are too few to
-// tell. docs/notebook/evidence.md, 2026-11-28.
-constexpr double kLeastFall = 0.2, kTimesUsual = 6, kFewestBeams = 0.3;
+// A fall is this large at least, and so many times the usual change. Where fewer beams than this share of all tell, as
+// behind a door on a map of long walls, it says nothing. docs/notebook/evidence.md, 2026-11-28.
+constexpr double kLeastFall = 0.2, kTimesUsual = 6, kFewestBeams = 0.5;
 constexpr double kChangeMemory = 0.95;  // of some twenty scans
 constexpr double kOnSurface_m = 0.2, kPassed_m = 0.2, kPassedPer_m = 0.012;
 

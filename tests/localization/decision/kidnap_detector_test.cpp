@@ -67,10 +67,10 @@ TEST_CASE("one bad scan that continues those before it is no reason to search") 
 }
 
 TEST_CASE("who is put into a room of the same shape is kidnapped: the map explains far less of it at once") {
-  constexpr MapAgreement kSound{0.9, 0.05}, kElsewhere{0.45, 0.5};
+  constexpr MapAgreement kSound{0.9, 0.05}, kOtherRoom{0.45, 0.5};
   Watch watch;
   for (int k = 0; k < 20; ++k) watch.see(kGood_nat, 1, true, kSound);
-  for (int k = 0; k < 6; ++k) watch.see(kBad_nat, 1, true, kElsewhere);
+  for (int k = 0; k < 6; ++k) watch.see(kBad_nat, 1, true, kOtherRoom);
   CHECK(watch.detector.suspected());
   CHECK(watch.detector.probability() > 0.8);
 }
