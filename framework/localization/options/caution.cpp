@@ -6,7 +6,8 @@ namespace opal {
 namespace {
 
 /// Where two places differ little, errors of the map decide between them: no lead of a fixed size is enough then. What
-/// a search leaves out cannot contradict, so it keeps twice as much. docs/notebook/evidence.md, 2026-11-28, has what
+/// a search leaves out cannot contradict, so it keeps twice as much. Where most beams that the map speaks about pass
+/// through what it has, it is not believed. docs/notebook/evidence.md, 2026-11-28, has what
 /// was tried.
 LocalizerOptions careful_options() {
   LocalizerOptions options;
@@ -14,6 +15,8 @@ LocalizerOptions careful_options() {
   options.search.candidates *= 2;
   options.search.hypotheses *= 2;
   options.status.localized_weight *= 2;
+  options.status.localized_agreement = 0.6;
+  options.status.localized_least_agreement = 0.5;
   options.status.localized_lead *= 2;
   options.status.localized_lead_nat = std::numeric_limits<double>::infinity();
   return options;
