@@ -74,6 +74,8 @@ TEST_CASE("a live run gives the same answers as a replay of its records, to the 
     localizer.update(*sample);
     const PoseEstimate said = localizer.estimate_at(sample->stamp_s, sample->T_odom_base);
     REQUIRE(k < live.answers.size());
+    REQUIRE(live.answers[k].why == localizer.why());
+    REQUIRE(live.answers[k].number == k + 1);
     const PoseEstimate& answer = live.answers[k++].estimate;
     REQUIRE(said.stamp_s == answer.stamp_s);
     REQUIRE(said.status == answer.status);

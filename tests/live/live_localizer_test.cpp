@@ -5,6 +5,8 @@
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <chrono>
+#include <optional>
 #include <thread>
 
 using namespace opal;
@@ -78,4 +80,52 @@ TEST_CASE("silence is told without any record") {
   const std::vector<HealthFinding> health = live.newest().health;
   CHECK(std::ranges::any_of(
       health, [](const HealthFinding& finding) { return finding.words.find("no odometry for") != std::string::npos; }));
+}
+
+TEST_CASE(
+    "an answer's latency is how long its scan waited and how long it took, and no more than the time that passed") {
+  using Clock = std::chrono::steady_clock;
+  const auto begun = Clock::now();
+  LiveLocalizer live(robot().parts(), with_room());
+  for (std::size_t k = 0; k < 60; ++k) live.take(robot().arrivals[k].record);
+  REQUIRE(live.drain(60));
+  const LiveAnswer newest = live.newest();
+  const double passed_s = std::chrono::duration<double>(Clock::now() - begun).count();
+  REQUIRE(newest.number > 0);
+  CHECK(newest.latency_s > newest.waited_s);
+  CHECK(newest.waited_s >= 0);
+  CHECK(newest.latency_s < passed_s);
+}
+
+TEST_CASE("who waits for an answer is woken by it") {
+  using Clock = std::chrono::steady_clock;
+  LiveLocalizer live(robot().parts(), with_room());
+  Clock::time_point woken;
+  std::optional<LiveAnswer> answer;
+  std::jthread waiting([&] {
+    answer = live.newer_than(0, 20);
+    woken = Clock::now();
+  });
+  std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  const auto begun = Clock::now();
+  for (std::size_t k = 0; k < 60; ++k) live.take(robot().arrivals[k].record);
+  waiting.join();
+  REQUIRE(answer);
+  CHECK(answer->number > 0);
+  CHECK(std::chrono::duration<double>(woken - begun).count() < 10);
+}
+
+TEST_CASE("a hint to a live localizer reaches it, and what is odd in its records is counted") {
+  LiveLocalizer live(robot().parts(), with_room());
+  live.hint({robot().truth_at(0.2) * Pose2(0.3, -0.2, 0.1), 0.3, 0.15});
+  for (std::size_t k = 0; k < 60; ++k)
+    for (int copy = 0; copy < 2; ++copy) live.take(robot().arrivals[k].record);
+  REQUIRE(live.drain(60));
+  const LiveAnswer newest = live.newest();
+  CHECK(distance_m(newest.estimate.T_map_base, robot().truth_at(newest.stamp_s)) < 0.5);
+  CHECK_FALSE(newest.why.empty());
+  std::this_thread::sleep_for(std::chrono::milliseconds(500));  // counts are published once a while
+  const auto counts = live.counts();
+  CHECK(
+      std::ranges::any_of(counts, [](const auto& count) { return count.first.find("doubled") != std::string::npos; }));
 }

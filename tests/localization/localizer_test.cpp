@@ -233,3 +233,19 @@ TEST_CASE("odometry that stands while the robot drives is found out, and where t
   CHECK(moved->status != Status::localized);
   CHECK(robot.localizer.local_map().keyframes().size() == 1);
 }
+
+TEST_CASE("who keeps only its pattern keeps of all local features what the best hypothesis began with") {
+  Driven robot;
+  robot.localizer.keep_pattern();  // there is none, and nothing changes
+  robot.drive_on(8);
+  std::set<int> began_with;
+  const int best = robot.localizer.hypotheses().front().id.number();
+  for (const ordered_json& event : robot.heard.of("spawned"))
+    if (event["hypothesis"] == best)
+      for (const ordered_json& pair : event["pairs"]) began_with.insert(pair[0].get<int>());
+  REQUIRE(began_with.size() == 1);
+  REQUIRE(robot.localizer.local_map().features().size() == 5);
+  robot.localizer.keep_pattern();
+  REQUIRE(robot.localizer.local_map().features().size() == 1);
+  CHECK(began_with.contains(robot.localizer.local_map().features().front().id.number()));
+}

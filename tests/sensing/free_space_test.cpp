@@ -64,3 +64,9 @@ TEST_CASE("a scan with hardly a beam has no free space") {
   one.points.resize(1);
   CHECK(free_space_outline(one, Pose2()).empty());
 }
+
+TEST_CASE("two neighbouring beams have a triangle between them") {
+  const auto outline = free_space_outline(round_room(4, 0.2, 0.24, 2), Pose2());
+  CHECK(outline.size() == 3);
+  CHECK(area_m2(outline) == Approx(0.5 * 16 * std::sin(0.04)));
+}

@@ -143,3 +143,19 @@ TEST_CASE("odometry is not called frozen for another contradiction") {
   REQUIRE_FALSE(monitors.contradiction().empty());
   CHECK_FALSE(monitors.is_odometry_frozen());
 }
+
+TEST_CASE("a scan of a laser that nobody described is passed by, whichever number comes after the described ones") {
+  for (std::size_t lasers = 1; lasers <= 5; ++lasers) {
+    std::vector<LaserModel> described;
+    for (std::size_t k = 0; k < lasers; ++k) described.push_back(laser_named("laser " + std::to_string(k)));
+    SensorMonitors monitors(described, nullptr);
+    bool changed = false;
+    for (int k = 0; k < 4; ++k) {
+      Sample sample = sample_of(round_scan(100 + 1.1 * k, 2 + k), Pose2());
+      sample.views[0].laser = static_cast<int>(lasers);
+      changed = monitors.add(sample) || changed;
+    }
+    CHECK_FALSE(changed);
+    CHECK(monitors.findings().empty());
+  }
+}

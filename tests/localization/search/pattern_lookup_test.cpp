@@ -69,3 +69,45 @@ TEST_CASE("a lookup with more places than scans can look at in time is not made"
   CHECK(expected({400}, options_with(10, 10)).empty());
   CHECK(expected({400}, options_with(10, 0)) == Numbers{400});  // all places at one scan
 }
+
+namespace {
+
+/// A wall's pattern is its length, in whole metres.
+struct LengthTemplate final : PatternTemplate {
+  PatternShape shape() const override { return {{GeometryKind::segment}, 0, 0}; }
+  std::optional<PatternInstance> match(std::span<const Feature* const> features) const override {
+    const auto& wall = std::get<Segment>(features[0]->geometry);
+    return PatternInstance{{0}, {{std::round(wall.length_m()), 0.1}}, Pose2(wall.midpoint(), 0)};
+  }
+};
+
+Feature wall(double length_m, double support_m) {
+  Feature wall{"opal:Wall", Segment{{0, 0}, {length_m, 0}}};
+  wall.support_m = support_m;
+  return wall;
+}
+
+/// The length of the wall that is looked up, where only one is. The map has one of each length.
+std::size_t looked_up_m(const std::vector<Feature>& walls) {
+  PatternList table;
+  for (int length_m = 1; length_m <= 5; ++length_m) {
+    PatternInstance mapped{{0}, {{static_cast<double>(length_m), 0}}, Pose2()};
+    table.add(mapped);
+  }
+  std::vector<MappedTemplate> templates;
+  templates.push_back({"length", std::make_shared<LengthTemplate>(), PatternIndex(std::move(table))});
+  SearchOptions one;
+  one.patterns = 1;
+  const auto lookups = choose_lookups(templates, walls, one, PatternKind::constrained);
+  REQUIRE(lookups.size() == 1);
+  const std::size_t chosen = static_cast<std::size_t>(lookups.front().observed.members.front());
+  return static_cast<std::size_t>(std::get<Segment>(walls[chosen].geometry).length_m());
+}
+
+}  // namespace
+
+TEST_CASE("of walls the one of which most is seen is looked up, and one that does not say how much is seen entirely") {
+  CHECK(looked_up_m({wall(3, 2), wall(4, 1), wall(2, 1.5)}) == 3);
+  CHECK(looked_up_m({wall(5, 1), wall(2, 0), wall(3, 1.5)}) == 2);
+  CHECK(looked_up_m({wall(5, 4), wall(3, 0), wall(4, 0)}) == 5);
+}

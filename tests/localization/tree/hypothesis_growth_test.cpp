@@ -3,6 +3,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <set>
+
 using namespace opal;
 using namespace opal::synthetic;
 
@@ -119,4 +121,27 @@ TEST_CASE("how far a scan moves and turns a hypothesis depends on how much dead 
   CHECK(distance_m(tracked(1e6, 0), guess) < 0.001);
   CHECK(angle_between_rad(tracked(0, 1e6), guess) < 0.001);
   CHECK(angle_between_rad(tracked(1e6, 1e6), guess) < 0.001);
+}
+
+TEST_CASE("the tree has the nodes from the leaves that are alive to their roots, and no others, whatever is seen") {
+  LocalizerOptions options;
+  options.growth.max_branches = GENERATE(1, 2);
+  options.growth.branch_not_on_map = GENERATE(false, true);
+  options.growth.max_consecutive_not_on_map = 2;
+  options.hypotheses.max_hypotheses = 5;
+  Features corners;
+  for (int k = 0; k < 6; ++k) corners.push_back(corner_at(2 + 0.3 * k, 0, 0));
+  Growing growing(corners, options);
+  for (int k = 0; k < 12; ++k) {
+    growing.spawn_at(Pose2(3.0 * (k % 4), 0, 0));
+    growing.see({corner_at(2 + 1.5 * (k % 3), 0.1, 0), corner_at(30 + 2 * k, 0, 0)});
+    growing.grow();
+    if (k % 4 == 3) growing.local_map.keep_only({growing.local_map.features().back().id});
+    growing.set.forget(growing.local_map);
+    std::set<NodeId> needed;
+    for (const Live& live : growing.set.alive()) {
+      for (NodeId id = live.leaf; id.exists(); id = growing.set.tree().node(id).parent) needed.insert(id);
+    }
+    CHECK(growing.set.tree().size() == needed.size());
+  }
 }

@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 
 #include <cmath>
+#include <functional>
 
 using namespace opal;
 using namespace opal::synthetic;
@@ -34,6 +35,11 @@ struct Lift {
     return poses;
   }
   void ride() { set.carry(elsewhere, local_map.T_local_base()); }
+  double all_nat() const {
+    double sum = 0;
+    for (const Live& live : set.alive()) sum += std::exp(live.hypothesis.log_likelihood);
+    return std::log(sum);
+  }
   double share_at(double x_m) const {
     double sum = 0, here = 0;
     for (const Live& live : set.alive()) {
@@ -46,7 +52,14 @@ struct Lift {
 
   Parents listener;
   std::shared_ptr<const MapView> map = view_of({{"opal:Column", Circle{{0, 50}, 0.2}}});
-  Judges judges{map, {{"told", constant_scorer(1), ScorerRole::decides, 1}}};
+  std::function<double(double)> nat_at = [](double) { return 1; };
+  std::shared_ptr<const HypothesisScorer> told =
+      std::make_shared<ToldScorer>([this](const Hypothesis& hypothesis, const Observation& seen) {
+        return Score{nat_at(seen.T_map_base(hypothesis.T_map_local).x()), {}, {}};
+      });
+  Judges judges{map,
+                {{"told", told, ScorerRole::decides, 1},
+                 {"counts", std::make_shared<CountingScorer>(), ScorerRole::observes, 1}}};
   RetrospectiveVerification past{map, judges.ensemble, no_earlier_scans(), 1};
   LocalMap local_map{{}, nullptr};
   HypothesisSet set{map, judges.ensemble, {}, listener};
@@ -60,9 +73,7 @@ TEST_CASE("a ride shares the weight of a hypothesis alike among all storeys, and
   lift.ride();
   REQUIRE(lift.set.alive().size() == 3);
   for (const double x_m : {0.0, 100.0, 200.0}) CHECK(lift.share_at(x_m) == Approx(1.0 / 3));
-  double sum = 0;
-  for (const Live& live : lift.set.alive()) sum += std::exp(live.hypothesis.log_likelihood);
-  CHECK(std::log(sum) == Approx(before_nat));
+  CHECK(lift.all_nat() == Approx(before_nat));
   CHECK(lift.listener.parents.size() == 3);
   CHECK(lift.listener.parents[1] == lift.set.alive().front().hypothesis.id);
   CHECK(lift.listener.origins[1] == Origin::ride);
@@ -98,4 +109,41 @@ TEST_CASE("a second ride leaves no evidence that is not from before it") {
   lift.set.track(lift.observation(), 1, {}, Eigen::Vector2d::Zero());
   lift.ride();
   for (const Live& live : lift.set.alive()) CHECK(live.ridden_nat == Approx(live.hypothesis.log_likelihood));
+}
+
+TEST_CASE("storeys of unequal weight weigh alike after a ride that may lead to any of them, and as much in all") {
+  Lift lift;
+  lift.ride();
+  lift.nat_at = [](double x_m) { return 0.02 * x_m - 1; };
+  lift.set.track(lift.observation(), 1, {}, Eigen::Vector2d::Zero());
+  REQUIRE(lift.share_at(200) > 5 * lift.share_at(0));
+  const double before_nat = lift.all_nat();
+  lift.ride();
+  REQUIRE(lift.set.alive().size() == 3);
+  CHECK(lift.all_nat() == Approx(before_nat));
+  for (const double x_m : {0.0, 100.0, 200.0}) CHECK(lift.share_at(x_m) == Approx(1.0 / 3));
+}
+
+TEST_CASE("what scorers had seen before a ride is forgotten on all storeys, also where the ride began") {
+  Lift lift;
+  for (int k = 0; k < 5; ++k) lift.set.track(lift.observation(), 1, {}, Eigen::Vector2d::Zero());
+  REQUIRE(count_of(lift.set.alive().front().hypothesis, 1) > 1);
+  lift.ride();
+  lift.set.track(lift.observation(), 1, {}, Eigen::Vector2d::Zero());
+  REQUIRE(lift.set.alive().size() == 3);
+  for (const Live& live : lift.set.alive()) CHECK(count_of(live.hypothesis, 1) == 1);
+}
+
+TEST_CASE("who comes from a ride was kidnapped when the one was that rode, and inherits the same") {
+  Lift lift;
+  lift.past.suspect(RetrospectiveVerification::Takeover{KeyframeId(9), 20});
+  lift.set.clear();
+  lift.set.spawn(std::vector<VerifiedCandidate>(1), lift.observation(), 1, lift.past);
+  REQUIRE(lift.set.alive().front().kidnapped_after == KeyframeId(9));
+  lift.ride();
+  REQUIRE(lift.set.alive().size() == 3);
+  for (const Live& live : lift.set.alive()) {
+    CHECK(live.kidnapped_after == KeyframeId(9));
+    CHECK(live.inherited_nat == 20);
+  }
 }

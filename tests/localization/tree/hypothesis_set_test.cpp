@@ -168,6 +168,8 @@ TEST_CASE("a candidate that is clearly better aligned moves the hypothesis at it
   CHECK(line.set.alive().front().hypothesis.id == HypothesisId(0));
   CHECK(line.set.alive().front().hypothesis.T_map_local.x() == Approx(5.2));
   CHECK(line.nat_of(HypothesisId(0)) == Approx(kSpawn_nat + 12));
+  CHECK(line.set.alive().front().scan_nat == 12);
+  CHECK(line.set.alive().front().scores.front().log_likelihood == 12);
 }
 
 TEST_CASE("a candidate that is hardly better aligned moves nobody") {
