@@ -6,7 +6,7 @@ import sys
 
 from redrawn import run
 
-DRIVES = {"integrity": 500, "integrity-careful": 3700}  # so many without a false one show less than 1 of 1,000
+DRIVES = {"integrity": 500, "integrity-careful": 2357}  # drives that were made: a campaign may grow
 ROBOTS = {"integrity": (), "integrity-careful": ("--one-laser", "careful", "--two-lasers", "careful_two_lasers")}
 
 
