@@ -96,7 +96,7 @@ TEST_CASE("where dead reckoning has failed, what was known of the pose goes with
   CHECK(known_of(failed) > 1.2 * known_of(trusted));
 }
 
-TEST_CASE("only the best hypotheses are searched for, and those behind them stay where they were") {
+TEST_CASE("where dead reckoning has failed, the best one of many hypotheses is found again") {
   Found found(Pose2(0.35, 0, 0.2));
   for (int k = 1; k < 20; ++k) {
     std::vector<VerifiedCandidate> more(1);
@@ -104,7 +104,6 @@ TEST_CASE("only the best hypotheses are searched for, and those behind them stay
     found.set.spawn(std::move(more), found.robot.observation(), 1, found.past);
   }
   REQUIRE(found.set.alive().size() == 20);
-  CHECK(found.set.alive().back().pose.covariance().trace() > 0);
   found.robot.drive_to(kStart);
   found.set.track(found.robot.observation(), 1, coarse_points(found.robot.sample()), {0.5, 0.3});
   CHECK(distance_m(found.judged_at.at(found.judged_at.size() - 20), kStart) < 0.03);
