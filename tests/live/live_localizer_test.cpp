@@ -20,6 +20,13 @@ LiveOptions with_room() {
   return options;
 }
 
+/// What was written, told by the localizing thread.
+struct Heard : EventSink {
+  bool listening() const override { return true; }
+  void write(const nlohmann::ordered_json& event) override { all.push_back(event); }
+  std::vector<nlohmann::ordered_json> all;
+};
+
 }  // namespace
 
 TEST_CASE("answers come from a thread of its own, numbered, the newest one first") {
@@ -55,9 +62,11 @@ TEST_CASE("a full queue drops the oldest records, counts them, and makes nobody 
 }
 
 TEST_CASE("after a reset a live localizer starts anew") {
-  LiveLocalizer live(robot().parts(), with_room());
+  Heard heard;
+  LiveLocalizer live(robot().parts(), with_room(), &heard);
   for (const simulation::Arrival& arrival : robot().arrivals) live.take(arrival.record);
   REQUIRE(live.drain(60));
+  heard.all.clear();
   live.reset();
   RawScan later = std::get<RawScan>(robot().arrivals[robot().arrivals.size() / 2].record.index() == 1
                                         ? robot().arrivals[robot().arrivals.size() / 2].record
@@ -68,6 +77,9 @@ TEST_CASE("after a reset a live localizer starts anew") {
   live.take(OdometryRecord{later.stamp_s + 1, Pose2()});
   REQUIRE(live.drain(60));
   CHECK(live.newest().estimate.status != Status::localized);
+  const auto keyframe = std::ranges::find_if(heard.all, [](const auto& event) { return event["event"] == "keyframe"; });
+  REQUIRE(keyframe != heard.all.end());
+  for (const auto& number : (*keyframe)["T_local_base"]) CHECK(number == 0);  // the first one of a local map
 }
 
 TEST_CASE("silence is told without any record") {
@@ -116,7 +128,8 @@ TEST_CASE("who waits for an answer is woken by it") {
 }
 
 TEST_CASE("a hint to a live localizer reaches it, and what is odd in its records is counted") {
-  LiveLocalizer live(robot().parts(), with_room());
+  Heard heard;
+  LiveLocalizer live(robot().parts(), with_room(), &heard);
   live.hint({robot().truth_at(0.2) * Pose2(0.3, -0.2, 0.1), 0.3, 0.15});
   for (std::size_t k = 0; k < 60; ++k)
     for (int copy = 0; copy < 2; ++copy) live.take(robot().arrivals[k].record);
@@ -124,6 +137,7 @@ TEST_CASE("a hint to a live localizer reaches it, and what is odd in its records
   const LiveAnswer newest = live.newest();
   CHECK(distance_m(newest.estimate.T_map_base, robot().truth_at(newest.stamp_s)) < 0.5);
   CHECK_FALSE(newest.why.empty());
+  CHECK(std::ranges::any_of(heard.all, [](const auto& event) { return event.value("origin", "") == "hint"; }));
   std::this_thread::sleep_for(std::chrono::milliseconds(500));  // counts are published once a while
   const auto counts = live.counts();
   CHECK(

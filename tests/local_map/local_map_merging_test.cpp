@@ -131,3 +131,21 @@ TEST_CASE("pieces that others bridge become one wall, in whatever order they are
     CHECK(map.last_associations() == std::vector<LocalFeatureId>(4, LocalFeatureId(0)));
   } while (std::next_permutation(order.begin(), order.end()));
 }
+
+TEST_CASE("a wall stays stable when a piece that is not joins it, though the poses of both differ by less in turn") {
+  LocalMapOptions options;
+  options.horizon_m = 100;
+  options.optimize_every = 0;
+  LocalMap map(options, nullptr);
+  const auto see_from = [&](double x_m, double begin_m, double end_m) {
+    map.add(sample_of({}, Pose2(x_m, 0, 0)), {piece({begin_m - x_m, 2}, {end_m - x_m, 2})});
+    map.add(sample_of({}, Pose2(x_m + 1, 0, 0)), {});
+  };
+  see_from(0, 0, 2);
+  for (const double x_m : {0.03, -0.03, 0.03}) see_from(x_m, 5, 7);
+  REQUIRE(map.features().size() == 2);
+  REQUIRE((!map.features()[0].stable && map.features()[1].stable));
+  see_from(0, 1.8, 5.2);
+  REQUIRE(map.features().size() == 1);
+  CHECK(map.features()[0].stable);
+}

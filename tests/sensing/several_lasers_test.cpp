@@ -32,16 +32,19 @@ RawScan scan_of(const std::string& frame, double stamp_s) {
 
 Pose2 where(double stamp_s) { return {0.5 * stamp_s, 0, 0.8 * stamp_s}; }
 
-/// What the robot says over some seconds, in the order of stamps.
-std::vector<LogRecord> said(double duration_s) {
+Pose2 turning(double stamp_s) { return {0, 0, 0.8 * stamp_s}; }
+Pose2 straight_on(double stamp_s) { return {0.5 * stamp_s, 0, 0}; }
+
+/// What the robot says over some seconds, in the order of stamps. @param at  where it is when.
+std::vector<LogRecord> said(double duration_s, Pose2 (*at)(double) = where) {
   std::vector<LogRecord> records;
   for (int k = 0; k * kPeriod_s < duration_s; ++k) {
     const double front_s = k * kPeriod_s;
-    for (const double at_s : {front_s - 0.03, front_s + 0.02}) records.emplace_back(OdometryRecord{at_s, where(at_s)});
+    for (const double at_s : {front_s - 0.03, front_s + 0.02}) records.emplace_back(OdometryRecord{at_s, at(at_s)});
     records.insert(records.end() - 1, scan_of("front", front_s));
     records.emplace_back(scan_of("rear", front_s + kRearLater_s));
   }
-  records.emplace_back(OdometryRecord{duration_s + 1, where(duration_s + 1)});
+  records.emplace_back(OdometryRecord{duration_s + 1, at(duration_s + 1)});
   return records;
 }
 
@@ -84,11 +87,13 @@ TEST_CASE("scans of two lasers that begin at about one time are one sample") {
   }
 }
 
-TEST_CASE("each view keeps where its laser was when it scanned") {
-  for (const Sample& sample : paired(said(1)))
+TEST_CASE(
+    "each view keeps where its laser was when it scanned, also while the robot only turns, or drives straight on") {
+  const auto at = GENERATE(where, turning, straight_on);
+  for (const Sample& sample : paired(said(1, at)))
     for (const LaserView& view : sample.views) {
       const Pose2 T_odom_laser =
-          where(view.scan.stamp_s) * two_lasers()[static_cast<std::size_t>(view.laser)].T_base_laser;
+          at(view.scan.stamp_s) * two_lasers()[static_cast<std::size_t>(view.laser)].T_base_laser;
       CHECK(distance_m(sample.T_odom_base * view.T_base_laser, T_odom_laser) < 2e-3);
       CHECK(angle_between_rad(sample.T_odom_base * view.T_base_laser, T_odom_laser) < 2e-3);
     }

@@ -104,3 +104,13 @@ TEST_CASE(
   session.search.abandon();
   CHECK(session.scans_until_found() == 0);
 }
+
+TEST_CASE("a search that is under way is over with a restart") {
+  Session session(one_place_a_scan());
+  const int scans = session.scans_until_found();
+  REQUIRE(scans > 2);
+  session.search.restart();
+  for (int k = 0; k < 2; ++k) REQUIRE(session.look() == 0);
+  session.search.restart();
+  CHECK(session.scans_until_found() == scans);
+}

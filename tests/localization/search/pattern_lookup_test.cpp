@@ -65,6 +65,15 @@ TEST_CASE("a lookup with many places is made where there is none with fewer") {
   CHECK(expected({4000, 3}, options_with(10, 1000)) == Numbers{3});
 }
 
+TEST_CASE("of one template the rarest patterns are looked up that have few places together, one in any case") {
+  SearchOptions options;
+  options.places = 0;  // of all templates together there is no limit
+  options.places_per_scan = 0;
+  options.lookup_limit = 10;
+  CHECK(expected({6, 4, 5}, options) == Numbers{4, 5});
+  CHECK(expected({50, 40}, options) == Numbers{40});
+}
+
 TEST_CASE("a lookup with more places than scans can look at in time is not made") {
   CHECK(expected({400}, options_with(10, 10)).empty());
   CHECK(expected({400}, options_with(10, 0)) == Numbers{400});  // all places at one scan

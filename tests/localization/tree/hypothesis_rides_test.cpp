@@ -22,7 +22,7 @@ struct Parents : DeafListener {
 
 /// Hypotheses on storeys that lie at x = 0, 100, 200, all of them in a lift.
 struct Lift {
-  Lift() {
+  explicit Lift(const LocalizerOptions& options = {}) : set(map, judges.ensemble, options, listener) {
     local_map.add(Sample{}, {});
     std::vector<VerifiedCandidate> candidates(1);
     set.spawn(std::move(candidates), observation(), 1, past);
@@ -62,7 +62,7 @@ struct Lift {
                  {"counts", std::make_shared<CountingScorer>(), ScorerRole::observes, 1}}};
   RetrospectiveVerification past{map, judges.ensemble, no_earlier_scans(), 1};
   LocalMap local_map{{}, nullptr};
-  HypothesisSet set{map, judges.ensemble, {}, listener};
+  HypothesisSet set;
 };
 
 }  // namespace
@@ -146,4 +146,27 @@ TEST_CASE("who comes from a ride was kidnapped when the one was that rode, and i
     CHECK(live.kidnapped_after == KeyframeId(9));
     CHECK(live.inherited_nat == 20);
   }
+}
+
+TEST_CASE("a ride leaves no more hypotheses than are kept") {
+  LocalizerOptions options;
+  options.hypotheses.max_hypotheses = 2;
+  Lift lift(options);
+  lift.ride();
+  CHECK(lift.set.alive().size() == 2);
+}
+
+TEST_CASE("a place that shares its weight with others stands behind one that does not ride, if it has less then") {
+  Lift lift;
+  lift.ride();
+  lift.nat_at = [](double x_m) { return 0.01 * x_m; };
+  lift.set.track(lift.observation(), 1, {}, Eigen::Vector2d::Zero());
+  REQUIRE(lift.set.alive().front().hypothesis.T_map_local.x() == Approx(200));
+  const auto from_200 = [](const Pose2& T_map_base) {
+    if (T_map_base.x() < 150) return std::vector<Pose2>();
+    return std::vector<Pose2>{Pose2(300, 0, 0), Pose2(400, 0, 0), Pose2(500, 0, 0)};
+  };
+  lift.set.carry(from_200, lift.local_map.T_local_base());
+  CHECK(lift.set.alive().size() == 6);
+  CHECK(lift.set.alive().front().hypothesis.T_map_local.x() == Approx(100));
 }
