@@ -14,4 +14,9 @@ struct PlaceTolerance {
   }
 };
 
+/// To the last bit.
+inline bool is_same_pose(const Pose2& a, const Pose2& b) {
+  return a.position() == b.position() && a.heading_rad() == b.heading_rad();
+}
+
 }  // namespace opal

@@ -1,5 +1,7 @@
 #include "localization/decision/map_agreement.hpp"
 
+#include "common/place_tolerance.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -39,9 +41,8 @@ MapAgreement agreement(const Observation& observation, const MapView& map, const
 }
 
 const MapAgreement& ScanAgreement::at(const Pose2& T_map_base, const Observation& observation, const MapView& map) {
-  const bool is_there =
-      seen_ && distance_m(seen_->T_map_base, T_map_base) == 0 && angle_between_rad(seen_->T_map_base, T_map_base) == 0;
-  if (!is_there) seen_ = {T_map_base, agreement(observation, map, T_map_base)};
+  if (!seen_ || !is_same_pose(seen_->T_map_base, T_map_base))
+    seen_ = {T_map_base, agreement(observation, map, T_map_base)};
   return seen_->agreement;
 }
 

@@ -36,8 +36,6 @@ std::vector<const Hypothesis*> pointers_to(const std::vector<Hypothesis>& hypoth
 
 bool better(const VerifiedCandidate& a, const VerifiedCandidate& b) { return a.nat > b.nat; }
 
-bool same(const Pose2& a, const Pose2& b) { return a.position() == b.position() && a.heading_rad() == b.heading_rad(); }
-
 /// The same place on the other storeys of the same building, going by their own frames.
 std::vector<Pose2> above_and_below(const SemanticMap& map, const Pose2& T_map_base) {
   std::vector<Pose2> places;
@@ -192,7 +190,7 @@ bool GlobalSearch::ask_more(Ongoing& search, StageTimes& times) const {
 std::vector<Candidate> GlobalSearch::propose(Ongoing& search, const Scene& scene) const {
   CandidateGenerator::Proposal proposed = generator_.propose(std::move(search.inquiry));
   const Pose2 &T_local_begun = search.T_local_base, &T_local_base = scene.observation.local_map.T_local_base();
-  if (!same(T_local_begun, T_local_base))
+  if (!is_same_pose(T_local_begun, T_local_base))
     for (Candidate& candidate : proposed.candidates)
       candidate.T_map_base = candidate.T_map_base * (T_local_begun.inverse() * T_local_base);
   search.result.places += proposed.candidates.size();
