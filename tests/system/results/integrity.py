@@ -1,16 +1,23 @@
 """Drives that a seed draws, and how many of them call a wrong pose localized: `opal experiment integrity`, by stratum."""
 
+import dataclasses
 import json
 import pathlib
 import sys
 
 from redrawn import run
 
-DRIVES = {"integrity": 500, "integrity-careful": 2357}  # drives that were made: a campaign may grow
-ROBOTS = {"integrity": (), "integrity-careful": ("--one-laser", "careful", "--two-lasers", "careful_two_lasers")}
+
+@dataclasses.dataclass(frozen=True)
+class Campaign:
+    drives: int  # that were made: a campaign may grow
+    robots: tuple = ()
+    aspects: tuple = ()  # that the table shows; none: all of them
 
 
-SHOWN = {"integrity": None, "integrity-careful": ("all", "alike", "storeys", "map", "event")}  # aspects; None: all of them
+CAMPAIGNS = {"integrity": Campaign(500),
+             "integrity-careful": Campaign(2357, ("--one-laser", "careful", "--two-lasers", "careful_two_lasers"),
+                                           ("all", "alike", "storeys", "map", "event"))}
 
 
 def label_of(stratum):
@@ -31,11 +38,11 @@ def cells_of(stratum):
 
 
 def integrity_table(options, name="integrity"):
-    folder = pathlib.Path(options.out) / name
+    campaign, folder = CAMPAIGNS[name], pathlib.Path(options.out) / name
     summary = folder / "summary.json"
     if not (options.reuse and summary.exists()):
-        run(options.opal.resolve(), "experiment", "integrity", "-o", folder, "--drives", DRIVES[name], "--jobs", options.jobs, *ROBOTS[name])
+        run(options.opal.resolve(), "experiment", "integrity", "-o", folder, "--drives", campaign.drives, "--jobs", options.jobs,
+            *campaign.robots)
         print(f"{name}: done", file=sys.stderr, flush=True)
-    shown = SHOWN[name]
     return {label_of(stratum): cells_of(stratum) for stratum in json.loads(summary.read_text())["strata"]
-            if shown is None or stratum["aspect"] in shown}
+            if not campaign.aspects or stratum["aspect"] in campaign.aspects}

@@ -39,6 +39,7 @@ KINDS = {  # the row's label in docs/results.md, and what makes the map
 }
 DAMAGED = [kind for kind in KINDS if kind != "full"]
 CAREFUL = {f"careful-{kind}": (KINDS[kind][0], [*KINDS[kind][1], "--config", "careful"]) for kind in ("full", "plan", "drop", "mixed")}
+MADE = {**KINDS, **CAREFUL}
 JOINED = {"union": ("union of all sites", []), "copies": ("union and ten copies", ["--copies", "10"])}
 SITES = ["acapulco", "csail", "freiburg-079", "seattle", "malaga-demo", "malaga", "belgioioso"]
 STAGES = ("detect", "local_map", "track", "generate", "search", "retrospect", "grow")
@@ -100,7 +101,7 @@ class Bench:
         return self.out / kind
 
     def run_site(self, kind, seed, site):
-        arguments = [KIDNAPPING_OPTION, str(seed)] if kind == "kidnapping" else [*{**KINDS, **CAREFUL}[kind][1], "--seed", str(seed)]
+        arguments = [KIDNAPPING_OPTION, str(seed)] if kind == "kidnapping" else [*MADE[kind][1], "--seed", str(seed)]
         self.run_bench(self.site_folder(kind, seed, site), [self.folder / site], arguments)
 
     def run_joined(self, kind):
@@ -179,13 +180,7 @@ def calibration_table(bench):
 def damage_table(bench, kinds):
     if not bench.complete:
         return {}
-    return {KINDS[kind][0]: judged_cells(judge.totals(bench.all_verdicts(kind, 1))) for kind in kinds}
-
-
-def careful_table(bench, kinds):
-    if not bench.complete:
-        return {}
-    return {CAREFUL[kind][0]: judged_cells(judge.totals(bench.all_verdicts(kind, 1))) for kind in kinds}
+    return {MADE[kind][0]: judged_cells(judge.totals(bench.all_verdicts(kind, 1))) for kind in kinds}
 
 
 def sites_table(bench, kinds):
@@ -294,7 +289,7 @@ class Selection:
               "large-cpu": ["copies"], **{table: ["driven"] for table in DRIVEN}}
 
     def __init__(self, names):
-        known = {*self.TABLES, *KINDS, *CAREFUL, *JOINED, "kidnapping"}
+        known = {*self.TABLES, *MADE, *JOINED, "kidnapping"}
         for name in names:
             if name not in known:
                 raise SystemExit(f"no table or kind of map '{name}'; there are {', '.join(sorted(known))}")
@@ -341,7 +336,7 @@ def make_tables(bench, driven, selection, seeds, page):
         "stages": lambda: stages_table(bench),
         "calibration": lambda: calibration_table(bench),
         "damage": lambda: damage_table(bench, kinds["damage"]),
-        "careful": lambda: careful_table(bench, kinds["careful"]),
+        "careful": lambda: damage_table(bench, kinds["careful"]),
         "sites": lambda: sites_table(bench, kinds["sites"]),
         "seeds": lambda: with_means(seeds_table(bench, kinds["seeds"], seeds), tables.table_in(page, "seeds")),
         "ten-maps": lambda: ten_maps_table(bench, kinds["ten-maps"], seeds),

@@ -49,7 +49,7 @@ class Page(unittest.TestCase):
         driven = types.SimpleNamespace(makers=lambda: {
             "drives": lambda: {f"{kind}, seed {seed}": cells for kind in drives.KINDS for seed in drives.SEEDS},
             "drives-models": lambda: {"Duplex, Level 1": cells}, "faults": lambda: {"doubled": faults.cells_of(fault_rows)},
-            **dict.fromkeys(integrity.DRIVES, lambda: {integrity.label_of(stratum): integrity.cells_of(stratum)}),
+            **dict.fromkeys(integrity.CAMPAIGNS, lambda: {integrity.label_of(stratum): integrity.cells_of(stratum)}),
             "storeys": lambda: storeys.by_likeness(next(iter(storeys.BUILDINGS)), [storey]),
             "fuzzing": lambda: {"all": fuzzing.cells_of([FUZZED])},
             "mutants": lambda: {"all": mutants.cells_of({"mutants": 10, "noticed": 8, "explained": 1})}})
