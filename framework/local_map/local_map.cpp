@@ -51,14 +51,6 @@ Feature with_sound_covariance(Feature feature) {
   return feature;
 }
 
-std::vector<Point> points_in_base(const Sample& sample) {
-  std::vector<Point> points;
-  for (const LaserView& view : sample.views)
-    for (const ScanPoint& point : view.scan.points)
-      if (point.position.allFinite()) points.push_back(view.T_base_laser * point.position);
-  return points;
-}
-
 }  // namespace
 
 struct LocalMap::State {

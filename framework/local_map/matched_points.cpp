@@ -95,6 +95,14 @@ void gather(Gathered& gathered, const Keyframe& keyframe, unsigned number, const
 
 }  // namespace
 
+std::vector<Point> points_in_base(const Sample& sample) {
+  std::vector<Point> points;
+  for (const LaserView& view : sample.views)
+    for (const ScanPoint& point : view.scan.points)
+      if (point.position.allFinite()) points.push_back(view.T_base_laser * point.position);
+  return points;
+}
+
 std::vector<Point> matched_points(const Point& position, const std::deque<Keyframe>& keyframes) {
   const std::vector<const Keyframe*> chosen = chosen_among(keyframes);
   const Sightings sightings(position, chosen);

@@ -1,6 +1,7 @@
 #include <opal/localization/localizer.hpp>
 
 #include "common/stage_clock.hpp"
+#include "local_map/laser_odometry.hpp"
 #include "localization/alignment/coarse_points.hpp"
 #include "localization/alignment/pose_step.hpp"
 #include "localization/alignment/registration.hpp"
@@ -36,6 +37,7 @@ struct Localizer::State {
       : parts(guarded(std::move(parts_given), failures)),
         odometry(parts.odometry),
         sensors(parts.lasers, parts.matcher),
+        laser_odometry(parts.matcher),
         local_map(parts.local_map, parts.matcher),
         ensemble(parts.scorers, parts.map, failures),
         global_search(parts.map, parts.patterns, ensemble, parts.stages.search),
@@ -48,7 +50,7 @@ struct Localizer::State {
         search_session(global_search, parts.stages.schedule),
         status(parts.stages.status, parts.stages.tracking.evidence_memory) {}
 
-  void check_sensors(const Sample& sample);
+  Sample checked(Sample sample);
   void forget_drive();
   bool is_keyframe(const Sample& sample);
   bool fits_no_more(const Sample& sample) const;
@@ -71,6 +73,7 @@ struct Localizer::State {
   LocalizerParts parts;
   ScaledOdometry odometry;
   SensorMonitors sensors;
+  LaserOdometry laser_odometry;  ///< while the wheels' counts do not arrive
   LocalMap local_map;
   ScorerEnsemble ensemble;
   GlobalSearch global_search;
@@ -99,10 +102,9 @@ struct Localizer::State {
 std::optional<PoseEstimate> Localizer::update(const Sample& recorded) {
   State& s = *state_;
   if (!tells_motion(recorded)) return std::nullopt;  // as if it had not come
-  Sample sample = recorded;
-  sample.T_odom_base = s.odometry.next(recorded.T_odom_base);
-  s.check_sensors(sample);
+  const Sample sample = s.checked(recorded);
   if (!s.is_keyframe(sample)) return std::nullopt;
+  s.laser_odometry.begin_at_newest();
   s.times = {.sensor_s = std::exchange(s.sensor_s, 0)};
   s.stamp_s = sample.stamp_s;
   SeenFeatures seen;  // base_link frame
@@ -137,14 +139,20 @@ std::optional<PoseEstimate> Localizer::update(const Sample& recorded) {
   return estimate;
 }
 
-/// A description that the drive contradicts turns every pose.
-void Localizer::State::check_sensors(const Sample& sample) {
+/// A description that the drive contradicts turns every pose. What the wheels do not count, the scans may tell.
+Sample Localizer::State::checked(Sample sample) {
   StageClock clock(sensor_s);
+  sample.T_odom_base = odometry.next(sample.T_odom_base);
   const bool was_frozen = sensors.is_odometry_frozen();
-  if (!sensors.add(sample)) return;
-  if (was_frozen && !sensors.is_odometry_frozen()) forget_drive();
-  status.contradict(sensors.contradiction());
-  journal.sensor(sensors.findings());
+  if (sensors.add(sample)) {
+    if (was_frozen && !sensors.is_odometry_frozen() && !laser_odometry.is_sure()) forget_drive();
+    const std::string why = sensors.contradiction();
+    sensors.only_odometry_stands() ? status.suspend(why) : status.contradict(why);
+    journal.sensor(sensors.findings());
+  }
+  laser_odometry.add(sample, sensors.is_odometry_frozen());
+  sample.T_odom_base = laser_odometry.at(sample.T_odom_base);
+  return sample;
 }
 
 /// Where the robot was does not say where it is.
@@ -300,7 +308,8 @@ Localizer::Localizer(LocalizerParts parts, EventSink* events)
 Localizer::~Localizer() = default;
 
 PoseEstimate Localizer::estimate_at(double stamp_s, const Pose2& T_odom_base) const {
-  const Pose2 T_local_base = state_->local_map.T_local_base_at(state_->odometry.at(T_odom_base));
+  const Pose2 T_local_base =
+      state_->local_map.T_local_base_at(state_->laser_odometry.at(state_->odometry.at(T_odom_base)));
   return state_->with_place(state_->status.at(stamp_s, T_local_base));
 }
 
@@ -309,6 +318,7 @@ void Localizer::hint(const PoseHint& hint) { state_->search_session.hint(hint); 
 void Localizer::reset() {
   state_->search_session.forget_hint();
   state_->sensors.clear();
+  state_->laser_odometry.clear();
   state_->forget_drive();
   state_->journal.reset();
 }

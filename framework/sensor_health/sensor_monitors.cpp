@@ -3,6 +3,14 @@
 #include <algorithm>
 
 namespace opal {
+namespace {
+
+bool says_odometry_stands(const SensorFinding& finding) {
+  return finding.subject == SensorFinding::Subject::standing_odometry &&
+         finding.verdict == SensorFinding::Verdict::contradicted;
+}
+
+}  // namespace
 
 SensorMonitors::SensorMonitors(const std::vector<LaserModel>& lasers, const std::shared_ptr<const ScanMatcher>& matcher)
     : lasers_(lasers) {
@@ -42,12 +50,15 @@ void SensorMonitors::clear() {
 }
 
 bool SensorMonitors::is_odometry_frozen() const {
-  const auto is_frozen = [](const SensorFinding& finding) {
-    return finding.subject == SensorFinding::Subject::standing_odometry &&
-           finding.verdict == SensorFinding::Verdict::contradicted;
-  };
-  return std::ranges::any_of(
-      monitors_, [&](const SensorMonitor& monitor) { return std::ranges::any_of(monitor.findings(), is_frozen); });
+  return std::ranges::any_of(monitors_, [](const SensorMonitor& monitor) {
+    return std::ranges::any_of(monitor.findings(), says_odometry_stands);
+  });
+}
+
+bool SensorMonitors::only_odometry_stands() const {
+  return is_odometry_frozen() && std::ranges::all_of(findings(), [](const SensorFinding& finding) {
+           return finding.verdict != SensorFinding::Verdict::contradicted || says_odometry_stands(finding);
+         });
 }
 
 std::string SensorMonitors::contradiction() const {

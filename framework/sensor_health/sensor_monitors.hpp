@@ -26,8 +26,10 @@ class OPAL_EXPORT SensorMonitors {
   const std::vector<SensorFinding>& findings() const;
   /// Words of the first finding that contradicts its description; empty if none does.
   std::string contradiction() const;
-  /// Odometry stands where the robot does not: where the robot goes meanwhile, nothing counts.
+  /// Odometry stands where the robot does not: its counts do not arrive.
   bool is_odometry_frozen() const;
+  /// That, and nothing else contradicts its description.
+  bool only_odometry_stands() const;
 
  private:
   std::vector<LaserModel> lasers_;

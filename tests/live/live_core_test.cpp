@@ -128,6 +128,17 @@ TEST_CASE("what goes wrong with the streams is named, and never makes a wrong pl
   CHECK(is_localized(all.answers.back()));
 }
 
+TEST_CASE("a robot whose odometry had frozen is found within 5 s once it moves") {
+  constexpr double kFrom_s = 30, kTo_s = 40;
+  const Played all = with(simulation::Fault::odometry_frozen, kFrom_s, kTo_s);
+  const double begun_s = all.answers.front().stamp_s;
+  const auto found = std::ranges::find_if(
+      all.answers, [&](const LiveAnswer& each) { return each.stamp_s - begun_s > kTo_s && is_localized(each); });
+  REQUIRE(found != all.answers.end());
+  CHECK(is_right(*found));
+  CHECK(found->stamp_s - begun_s < kTo_s + 5);
+}
+
 TEST_CASE("a clock that jumps back is named, and the robot stays found") {
   const Played all = with(simulation::Fault::clock_back);
   CHECK(all.says("clock reset"));

@@ -54,6 +54,18 @@ TEST_CASE("odometry that has frozen is told, and no longer once it moves") {
   CHECK(monitors.contradiction().empty());
 }
 
+TEST_CASE("what else contradicts its description is told from odometry that has frozen") {
+  SensorMonitors monitors({LaserModel()}, nullptr);
+  CHECK_FALSE(monitors.only_odometry_stands());
+  freeze(monitors);
+  CHECK(monitors.only_odometry_stands());
+  look_about(monitors, 30, 1);
+  freeze(monitors, Pose2(30, 0, 0));
+  INFO(monitors.contradiction());
+  REQUIRE(monitors.is_odometry_frozen());
+  CHECK_FALSE(monitors.only_odometry_stands());
+}
+
 TEST_CASE("whoever asks is told once that findings have changed") {
   SensorMonitors monitors({LaserModel()}, nullptr);
   int changes = 0;

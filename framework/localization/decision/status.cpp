@@ -110,7 +110,7 @@ StatusEstimator::Judgement StatusEstimator::judge(const Live& best, const Pose2&
   const bool same = last_.has_pose && kSamePlace.same(T_map_local_ * T_local_base, estimate.T_map_base);
   gather(best, estimate, now, same);
   if (!contradiction_.empty()) {
-    sure_ = 0;  // what was seen under a wrong description is no evidence
+    (evidence_ == Evidence::spoilt ? sure_ : unbroken_) = 0;
     return {while_contradicted(estimate), contradiction_};
   }
   if (was_localized_ && mean_scan_nat_ < options_.lost_scan_nat)
@@ -123,8 +123,8 @@ StatusEstimator::Judgement StatusEstimator::judge(const Live& best, const Pose2&
                         now.kidnapped, 1 - options_.localized_probability)};
   if (!doubt && sure_ > 0 && unbroken_ < options_.localized_weight)
     return {unproven(estimate),
-            fmt::format("{:.2f} of {:.2f} pieces of new evidence ago a scan broke off from those before: the robot may "
-                        "have been kidnapped",
+            fmt::format("{:.2f} of {:.2f} pieces of new evidence ago the scans or the odometry broke off from those "
+                        "before: the robot may have been kidnapped",
                         unbroken_, options_.localized_weight)};
   const double asked = weight_asked(now.unmapped_walls_m);
   const bool is_other_place = agreement_.share() < options_.localized_least_agreement;

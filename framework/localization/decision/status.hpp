@@ -43,11 +43,12 @@ class OPAL_EXPORT StatusEstimator {
   };
   const Belief& belief() const { return belief_; }
 
-  /// While `why`, a sentence, is not empty, nothing is called localized: the sensor description is wrong.
-  void contradict(const std::string& why) {
-    contradiction_ = why;
-    if (!why.empty()) map_doubt_.clear();
-  }
+  /// While `why`, a sentence, is not empty, nothing is called localized, and nothing is evidence: the sensor
+  /// description is wrong.
+  void contradict(const std::string& why) { contradict(why, Evidence::spoilt); }
+  /// While `why`, a sentence, is not empty, nothing is called localized: the odometry counts nothing, and scans alone
+  /// tell where the robot goes. Evidence stays. New evidence as of a new place has to confirm it afterwards.
+  void suspend(const std::string& why) { contradict(why, Evidence::stays); }
   /// That the map does not explain what the robot sees, in words; empty: it does. No status depends on it.
   std::string map_doubt() const { return map_doubt_.words(); }
 
@@ -61,6 +62,12 @@ class OPAL_EXPORT StatusEstimator {
   void reset();
 
  private:
+  enum class Evidence { stays, spoilt };
+  void contradict(const std::string& why, Evidence evidence) {
+    contradiction_ = why;
+    evidence_ = evidence;
+    if (!why.empty()) map_doubt_.clear();
+  }
   void believe(const std::vector<Live>& alive);
   void weigh(const std::vector<Live>& alive, const Pose2& T_local_base, PoseEstimate& estimate);
   /// A status, and why it is what it is, in words.
@@ -87,10 +94,11 @@ class OPAL_EXPORT StatusEstimator {
   double evidence_memory_;
   PoseEstimate last_;
   Belief belief_;
-  std::string contradiction_;  ///< of the sensor description by the drive; empty: none
+  std::string contradiction_;            ///< of the sensor description by the drive; empty: none
+  Evidence evidence_ = Evidence::stays;  ///< while there is a contradiction
   Pose2 T_map_local_;
   double none_nat_ = 0;  ///< log weight of "none of these"
-  /// Sum of tempering weights since a scan broke off from those before.
+  /// Sum of tempering weights since a scan broke off from those before, or odometry did.
   double unbroken_ = std::numeric_limits<double>::infinity();
   double sure_ = 0;  ///< tempering_weight since the required probability holds at one place
   bool was_localized_ = false;

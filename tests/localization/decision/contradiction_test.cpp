@@ -3,6 +3,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <cmath>
+
 using namespace opal;
 
 namespace {
@@ -32,4 +34,18 @@ TEST_CASE("a robot that is localized is lost once the sensor description is cont
   estimator.contradict("scans move backwards");
   CHECK(estimator.at(100, Pose2()).status == Status::lost);
   CHECK(sure_of_one_place(estimator, 1).status == Status::lost);
+}
+
+TEST_CASE("evidence outlasts odometry that has frozen, and new evidence as of a new place has to confirm it") {
+  const StatusOptions options;
+  StatusEstimator estimator(options, 0.99);
+  REQUIRE(sure_of_one_place(estimator, 20).status == Status::localized);
+  estimator.suspend("odometry stands still");
+  CHECK(sure_of_one_place(estimator, 5).status == Status::lost);
+  CHECK(estimator.belief().why == "odometry stands still");
+  estimator.suspend("");
+  const int pieces = static_cast<int>(std::ceil(options.localized_weight));
+  CHECK(sure_of_one_place(estimator, pieces - 1).status != Status::localized);
+  CHECK_THAT(estimator.belief().why, Catch::Contains("the odometry broke off"));
+  CHECK(sure_of_one_place(estimator, 1).status == Status::localized);
 }

@@ -49,7 +49,7 @@ TEST_CASE(
   const PoseEstimate estimate = answer.to({hypothesis(1, kHere, 20)}, broken);
   CHECK(estimate.status == Status::searching);
   CHECK(estimate.probability > 0.99);
-  CHECK_THAT(answer.estimator.belief().why, Catch::Contains("a scan broke off from those before"));
+  CHECK_THAT(answer.estimator.belief().why, Catch::Contains("the scans or the odometry broke off from those before"));
   CHECK(answer.estimator.believed());
   CHECK(answer.weight_until_localized({}) == Approx(StatusOptions{}.localized_weight).margin(1));
   answer.estimator.reset();
@@ -100,6 +100,6 @@ TEST_CASE("a break is remembered, whatever else speaks against the place at that
   Circumstances soon;
   soon.tempering_weight = 0.1;
   CHECK(answer.to({hypothesis(1, kHere, 20)}, soon).status != Status::localized);
-  CHECK_THAT(answer.estimator.belief().why, Catch::Contains("a scan broke off from those before"));
+  CHECK_THAT(answer.estimator.belief().why, Catch::Contains("the scans or the odometry broke off from those before"));
   CHECK(answer.weight_until_localized(soon) == Approx(StatusOptions{}.localized_weight).margin(0.3));
 }

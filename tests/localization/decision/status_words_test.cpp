@@ -74,7 +74,8 @@ TEST_CASE("a lost robot is told by how much its scans fit too badly, or how long
   now = {};
   now.tempering_weight = 0.75;
   broken.to({hypothesis(1, kHere, 20)}, now);
-  CHECK_THAT(broken.estimator.belief().why,
-             Catch::StartsWith(fmt::format("0.75 of {:.2f} pieces of new evidence ago a scan broke off",
-                                           StatusOptions{}.localized_weight)));
+  CHECK_THAT(
+      broken.estimator.belief().why,
+      Catch::StartsWith(fmt::format("0.75 of {:.2f} pieces of new evidence ago the scans or the odometry broke off",
+                                    StatusOptions{}.localized_weight)));
 }
