@@ -90,7 +90,8 @@ std::string outline_symbol(const BuildingRuns& building) {
   std::string walls, unseen;
   for (const MapFeature& feature : building.map->features())
     (feature.sensor.empty() ? unseen : walls) += path_of(feature.geometry);
-  return "<g id=\"" + building.building.id + "\"><path class=\"unseen\" d=\"" + unseen +
+  // The class is on what is referred to: a style that names an element around it does not reach where it is used.
+  return "<g id=\"" + building.building.id + "\" class=\"building\"><path class=\"unseen\" d=\"" + unseen +
          "\"/><path class=\"wall\" d=\"" + walls + "\"/></g>\n";
 }
 

@@ -97,12 +97,13 @@ std::string failures_html(const BuildingsExperiment& experiment) {
   constexpr std::size_t kMost = 200;
   const std::vector<Failure> failures = failures_of(experiment);
   std::string html =
-      text_element("h2", fmt::format("Runs that were not localized, or were so wrongly: {}", failures.size())) +
+      text_element("h2",
+                   fmt::format("Runs that were never localized, or localized at a wrong pose: {}", failures.size())) +
       (failures.size() > kMost ? text_element("p", fmt::format("The first {} of them.", kMost)) : "") + key_html() +
       text_element("p",
-                   "The way in truth from the green dot on; orange-red dots: wrong poses that were called localized; "
-                   "black ring: what is believed at the end. --record keeps the recording for opal bench, localize and "
-                   "view.");
+                   "Line: the true way, which begins at the green dot. Orange-red dots: wrong poses that were called "
+                   "localized. Black ring: the best hypothesis at the end. With --record, the recordings are kept for "
+                   "opal bench, localize and view.");
   std::string figures;
   for (std::size_t k = 0; k < std::min(kMost, failures.size()); ++k) {
     const auto& [building, run] = failures[k];

@@ -95,7 +95,7 @@ TEST_CASE("the page shows every building, and how to run again what failed") {
   done.buildings[1].runs[0] = run_of({moment(0, 7, true), moment(1, 7, true)});
   const std::string page = buildings_page(done);
   for (const BuildingRuns& building : done.buildings)
-    CHECK_THAT(page, Catch::Contains("<g id=\"" + building.building.id + "\""));
+    CHECK_THAT(page, Catch::Contains("<g id=\"" + building.building.id + "\" class=\"building\""));
   CHECK_THAT(page, Catch::Contains("--building " + done.buildings[1].building.id + " --challenge B1"));
   CHECK_THAT(page, Catch::Contains("class=\"claim\""));
 }
