@@ -126,6 +126,10 @@ VersionedMap load_versioned_map(const opal::PluginRegistry& plugins, const opal:
   return {with_overlays(imported.map, deployment.overlays), {}};
 }
 
+void expect_map(const opal::Deployment& deployment, const std::string& config) {
+  if (deployment.map.empty()) throw opal::ConfigError(config + ": /map: missing; name a map here or with --map");
+}
+
 std::shared_ptr<const opal::SemanticMap> load_map(const opal::PluginRegistry& plugins,
                                                   const opal::Deployment& deployment) {
   return load_versioned_map(plugins, deployment).map;

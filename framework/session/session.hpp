@@ -41,6 +41,9 @@ std::string name_of_map(const std::string& path);
 /// A map from a document, from the map store (store:BUILDING), or from any source that an importer recognizes.
 std::shared_ptr<const opal::SemanticMap> load_map(const opal::PluginRegistry& registry, const std::string& source);
 
+/// @throws opal::ConfigError if the deployment has no map. @param config  how the deployment was named.
+void expect_map(const opal::Deployment& deployment, const std::string& config);
+
 /// The map of a deployment with its overlays; a source is imported with the options that the deployment gives to
 /// importers.
 std::shared_ptr<const opal::SemanticMap> load_map(const opal::PluginRegistry& registry,

@@ -3,6 +3,7 @@
 #include "common/phrases.hpp"
 
 #include <opal/common/error.hpp>
+#include <opal/common/strict_json.hpp>
 #include <opal/plugin/plugin_folders.hpp>
 
 #include <algorithm>
@@ -14,10 +15,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// Beside them are documents of other kinds, such as trees of behaviours.
+bool is_deployment(const fs::path& file) {
+  return file.extension() == ".jsonld" && opal::read_json(file.string()).value("@type", "") == "opal:Deployment";
+}
+
 std::string shipped_configs() {
   std::vector<std::string> names;
   for (const fs::directory_entry& entry : fs::directory_iterator(shipped_file("configs")))
-    if (entry.path().extension() == ".jsonld") names.push_back(entry.path().stem().string());
+    if (is_deployment(entry.path())) names.push_back(entry.path().stem().string());
   std::sort(names.begin(), names.end());
   return opal::listed(names);
 }

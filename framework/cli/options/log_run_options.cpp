@@ -1,6 +1,7 @@
 #include "cli/options/log_run_options.hpp"
 
 #include "sensing/log_check.hpp"
+#include "session/session.hpp"
 #include "session/shipped_files.hpp"
 
 #include <opal/common/error.hpp>
@@ -31,7 +32,7 @@ Deployment LogRunOptions::deployment() const {
   Deployment deployment = read_deployment(session::config_file(config));
   if (!map.empty()) deployment.map = map;
   deployment.overlays.insert(deployment.overlays.end(), overlays.files.begin(), overlays.files.end());
-  if (deployment.map.empty()) throw ConfigError(config + ": /map: missing; name a map here or with --map");
+  session::expect_map(deployment, config);
   if (!info.empty()) deployment = with_lasers(std::move(deployment), {read_site_laser(info)});
   return deployment;
 }
@@ -46,7 +47,7 @@ std::string LogRunOptions::mount_doubt(const std::vector<LogRecord>& records, co
   const bool is_stated = takes_geometry_from_log(described) && std::any_of(records.begin(), records.end(), is_mount);
   if (described.describes_mount || is_stated) return "";
   return "nothing says where the laser sits on the robot (" + config +
-         ": /sensor/T_base_laser): it is taken to be in the middle, and a pose is wrong by as much as it is not";
+         ": /sensor/T_base_laser): the middle is taken, and every pose is off by the laser's true distance from it";
 }
 
 std::vector<Query> LogRunOptions::windows() const {

@@ -1,5 +1,6 @@
 #include "cli/ros2/ros2_options.hpp"
 
+#include "cli/options/number_option.hpp"
 #include "ros2/network/ros_names.hpp"
 #include "session/session.hpp"
 #include "session/shipped_files.hpp"
@@ -52,12 +53,12 @@ void Ros2Options::add_topics(CLI::App& verb) {
   verb.add_option("--transform-tolerance", rest.frames.transform_tolerance_s,
                   "seconds that the transform is stamped later than its scan")
       ->capture_default_str()
-      ->check(CLI::Range(0.0, 60.0, "0 to 60"));
+      ->check(in_range(0.0, 60.0));
 }
 
 void Ros2Options::add_network(CLI::App& verb) {
   CLI::Option* number = verb.add_option("--domain", domain, "of DDS; otherwise ROS_DOMAIN_ID, or 0");
-  number->check(CLI::Range(0, 232, "0 to 232"));
+  number->check(in_range(0, 232));
   verb.add_option(
           "--reach", reach,
           "localhost: programs on this machine; subnet: this network; system: as CYCLONEDDS_URI says. Otherwise "
@@ -67,7 +68,7 @@ void Ros2Options::add_network(CLI::App& verb) {
   CLI::Option* page = verb.add_flag("--serve{" + std::to_string(LiveServer::kUsualPort) + "}", port,
                                     "show the run to browsers on this machine; --serve=PORT for another port, 0 for "
                                     "any free one");
-  page->check(CLI::Range(-1, 65535, "0 to 65535"));
+  page->check(port_of_flag());
   verb.parse_complete_callback([this, number, page] {
     has_domain = number->count() > 0;
     serve = page->count() > 0;
@@ -93,7 +94,7 @@ void Ros2Options::add_running(CLI::App& verb) {
       ->excludes(look);
   verb.add_option("--seconds", check_s, "with --check: how long")
       ->capture_default_str()
-      ->check(CLI::Range(0.5, 3600.0, "0.5 to 3600"))
+      ->check(in_range(0.5, 3600.0))
       ->needs(look);
   verb.add_option("-o,--out", out, "with --check: deployment document to write: CONFIG with the robot's laser in it")
       ->needs(look);
@@ -115,7 +116,7 @@ Deployment Ros2Options::deployment_if_any() const {
 
 Deployment Ros2Options::deployment() const {
   Deployment deployment = deployment_if_any();
-  if (deployment.map.empty()) throw ConfigError(config + ": /map: missing; name a map here or with --map");
+  session::expect_map(deployment, config);
   return deployment;
 }
 

@@ -1,4 +1,5 @@
 #include "cli/options/exit_code.hpp"
+#include "cli/options/number_option.hpp"
 #include "cli/options/verbs.hpp"
 #include "cli/terminal/stop_signals.hpp"
 #include "session/session.hpp"
@@ -22,8 +23,9 @@ struct ServeOptions {
 
 int serve(const ServeOptions& options) {
   Deployment deployment = read_deployment(session::config_file(options.config));
-  const PluginRegistry registry = session::load_plugins(deployment);
   if (!options.map.empty()) deployment.map = options.map;
+  session::expect_map(deployment, options.config);
+  const PluginRegistry registry = session::load_plugins(deployment);
   const auto map = session::load_map(registry, deployment);
   build_parts(deployment, registry, map);  // what cannot run is said now, not to the first robot
   const auto localizer_for = [&](const LaserModel& laser) {
@@ -48,7 +50,7 @@ void add_serve_verb(CLI::App& app, int& exit_code) {
                    "deployment document, or the name of one that ships; the laser is the robot's")
       ->required();
   verb->add_option("--map", options->map, "map document, or a source to import, instead of the deployment's");
-  verb->add_option("--port", options->port, "0: any free one")->check(CLI::Range(0, 65535))->capture_default_str();
+  verb->add_option("--port", options->port, "0: any free one")->check(in_range(0, 65535))->capture_default_str();
   verb->callback([options, &exit_code] { exit_code = serve(*options); });
 }
 
