@@ -88,10 +88,11 @@ class CleanLaser {
 };
 
 Sightings looked_around(const std::vector<Point>& places, const CleanLaser& laser, const FeatureDetector& detector,
-                        const std::set<std::string>& types) {
+                        const std::set<std::string>& types, const std::function<void(double)>& progress) {
   constexpr double kTurn_rad = 2.4;  // between places, so that no side of the building is always at a scan's end
   Sightings sightings;
   for (std::size_t k = 0; k < places.size(); ++k) {
+    if (progress) progress(static_cast<double>(k) / static_cast<double>(places.size()));
     const Pose2 T_map_laser(places[k], kTurn_rad * static_cast<double>(k));
     for (const Feature& seen : detector.detect(laser.scan_at(T_map_laser)))
       if (types.contains(seen.type)) sightings.add(transformed(T_map_laser, seen), places[k]);
@@ -175,8 +176,8 @@ Derivation derived_features(const SemanticMap& map, const FeatureDetector& detec
   const RayCaster solids = options.doors_open ? open_building(map) : shut_building(map);
   const FloorGrid floor = floor_of(map, solids, options.clearance_m);
   const std::vector<Point> places = places_to_look_from(floor, options.spacing_m);
-  const Sightings seen =
-      looked_around(places, CleanLaser(solids, options.reach_m), detector, {types.begin(), types.end()});
+  const Sightings seen = looked_around(places, CleanLaser(solids, options.reach_m), detector,
+                                       {types.begin(), types.end()}, options.progress);
   Additions additions(map, options.sensor);
   Derivation derivation;
   derivation.places = places.size();

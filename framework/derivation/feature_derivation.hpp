@@ -3,6 +3,7 @@
 #include <opal/map/semantic_map.hpp>
 #include <opal/sensing/feature_detector.hpp>
 
+#include <functional>
 #include <span>
 #include <string>
 
@@ -17,6 +18,8 @@ struct DerivationOptions {
   double clearance_m = 0.25;             ///< from a place to look from to the nearest surface, at least
   int fewest_views = 5;                  ///< a feature is found from so many places, at least
   double least_share = 0.15;             ///< ... and from this share of the places that have it in view
+  /// Is told what share of the places has been looked from; may be empty.
+  std::function<void(double)> progress = {};
 };
 
 /// A map with the features that a detector finds on its objects.

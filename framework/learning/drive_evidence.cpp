@@ -121,9 +121,13 @@ DriveEvidence DriveObserver::finish(const std::string& drive) {
   return state_->said_by(drive);
 }
 
-DriveEvidence observed_drive(const LocalizerParts& parts, Replay& replay, const std::string& drive) {
+DriveEvidence observed_drive(const LocalizerParts& parts, Replay& replay, const std::string& drive,
+                             const std::function<void(double)>& progress) {
   DriveObserver observer(parts);
-  while (const auto sample = replay.next()) observer.update(*sample);
+  while (const auto sample = replay.next()) {
+    observer.update(*sample);
+    if (progress) progress(replay.progress());
+  }
   return observer.finish(drive);
 }
 

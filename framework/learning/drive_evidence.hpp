@@ -7,6 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -43,7 +44,9 @@ class DriveObserver {
 };
 
 /// What the rest of a recorded drive says of the map of a localizer.
-DriveEvidence observed_drive(const LocalizerParts& parts, Replay& replay, const std::string& drive);
+/// @param progress  is told what share of the log has been played; may be empty.
+DriveEvidence observed_drive(const LocalizerParts& parts, Replay& replay, const std::string& drive,
+                             const std::function<void(double)>& progress = {});
 
 /// The document of one drive, and back. @throws ConfigError naming file, place, what was found and what was expected.
 nlohmann::ordered_json to_json(const DriveEvidence& evidence);

@@ -19,6 +19,11 @@ class ProgressBar {
     note_ = note;
     std::fprintf(stderr, "\r[%-50.*s] %3d %% %s\033[K", 50, bar(percent).c_str(), percent, note.c_str());
   }
+  /// Makes room for a line of text.
+  void clear() {
+    if (terminal_ && shown_ >= 0) std::fprintf(stderr, "\r\033[K");
+    shown_ = -1;
+  }
   ~ProgressBar() {
     if (terminal_ && shown_ >= 0) std::fputc('\n', stderr);
   }

@@ -1,6 +1,8 @@
+#include "benchmark/runs/progress_bar.hpp"
 #include "cli/drive/drive_report.hpp"
 #include "cli/drive/floor_picture.hpp"
 #include "cli/options/exit_code.hpp"
+#include "cli/options/number_option.hpp"
 #include "cli/options/verbs.hpp"
 #include "cli/options/world_options.hpp"
 #include "cli/terminal/run_end.hpp"
@@ -19,6 +21,9 @@
 #include <opal/common/error.hpp>
 #include <opal/deployment/deployment.hpp>
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <filesystem>
 #include <iostream>
 #include <optional>
@@ -147,19 +152,36 @@ std::optional<DriveTask> possible_task(const DriveVerbOptions& options, sim::Sim
   }
 }
 
+/// The options of the drive k, with a bar that shows how long it lasts.
+ClosedLoopOptions shown_on(benchmark::ProgressBar& bar, const DriveVerbOptions& options, int k) {
+  ClosedLoopOptions loop = options.loop;
+  loop.witness = [&bar, &options, k, start_s = std::optional<double>()](const RawScan& scan,
+                                                                        const Pose2& T_map_base) mutable {
+    if (options.loop.witness) options.loop.witness(scan, T_map_base);
+    if (!start_s) start_s = scan.stamp_s;
+    const double share = std::min(1.0, (scan.stamp_s - *start_s) / options.loop.most_s);
+    bar.show((k + share) / options.runs, fmt::format("drive {} of {}: {:.0f} s of at most {:.0f} s", k + 1,
+                                                     options.runs, scan.stamp_s - *start_s, options.loop.most_s));
+  };
+  return loop;
+}
+
 /// Drives one after the other until a stop is asked for; a drive that it cuts is left out.
 void drive_all(const DriveVerbOptions& options, DriveSetup& setup, DriveReport& report,
                sim::DriveRecording& recording) {
   const FloorGrid floor =
       navigation::mapped_floor(setup.localization->map(), 0.8 * options.world.robot_radius_m, options.world.outdoors);
   const navigation::NodeRegistry nodes = navigation::standard_nodes();
+  benchmark::ProgressBar bar;
   for (int k = 0; k < options.runs; ++k) {
     const std::uint64_t seed = options.seed + static_cast<std::uint64_t>(k);
     sim::Simulation simulation(driven_map(options, setup.map, seed), options.world, seed);
     const std::optional<DriveTask> task = possible_task(options, simulation, floor, seed);
     if (!task) continue;
     const auto tree = navigation::read_tree(nodes, setup.trees, options.behaviour);
-    const DriveRecord record = drive_to_goal(simulation, *setup.localization, floor, *tree, task->goal, options.loop);
+    const DriveRecord record =
+        drive_to_goal(simulation, *setup.localization, floor, *tree, task->goal, shown_on(bar, options, k));
+    bar.clear();
     if (options.loop.stop.stop_requested()) return;
     report.add(*task, record);
     if (!options.record.empty()) recording.end_drive(seed, record.driven_m);
@@ -211,7 +233,7 @@ void add_drive_verb(CLI::App& app, int& exit_code) {
   verb->add_option("--seed", options->seed, "of everything: the same seed gives the same drive")->capture_default_str();
   verb->add_option("--runs", options->runs, "drives, with this seed and those after it")
       ->capture_default_str()
-      ->check(CLI::Range(1, 100000));
+      ->check(in_range(1, 100000));
   verb->add_option("--most", options->loop.most_s, "of each drive, before it is given up [s]")->capture_default_str();
   verb->add_option("-o,--out", options->out, "folder for summary.json and pictures")->capture_default_str();
   verb->add_option("--record", options->record,

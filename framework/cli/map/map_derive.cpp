@@ -1,6 +1,8 @@
 #include "cli/map/map_derive.hpp"
 
+#include "benchmark/runs/progress_bar.hpp"
 #include "cli/options/exit_code.hpp"
+#include "cli/options/number_option.hpp"
 #include "drawing/drawing.hpp"
 #include "map/map_file.hpp"
 #include "map_tools/map_raster.hpp"
@@ -55,8 +57,12 @@ Derivation derived_by(const PluginRegistry& registry, const SemanticMap& map, co
     throw ConfigError(detector + ": is a " + name_of(type.kind) + ", expected a FeatureDetector (`opal plugins`)");
   const auto part = registry.make<FeatureDetector>(detector, parse_options(detector, type.options, words));
   const std::string description = std::filesystem::path(type.file).replace_extension(".jsonld").string();
+  benchmark::ProgressBar bar;
+  DerivationOptions watched = options;
+  watched.progress = [&bar](double share) { bar.show(share, "of the places to look from"); };
   Derivation derivation =
-      derived_features(map, *part, type.info.produces, options, read_plugin_description(description).prefixes);
+      derived_features(map, *part, type.info.produces, watched, read_plugin_description(description).prefixes);
+  bar.clear();
   std::cout << detector << ": " << derivation.added.size() << " new features, seen from " << derivation.places
             << " places; " << derivation.known << " known before, " << derivation.twice
             << " found twice; left out: " << derivation.seldom << " seen too seldom, " << derivation.on_nothing
@@ -77,10 +83,10 @@ void add_map_derive(CLI::App& map, int& exit_code) {
       ->allow_extra_args(false);
   verb->add_option("--sensor", derivation.sensor, "id of the sensor that perceives them")->capture_default_str();
   verb->add_option("--spacing", derivation.spacing_m, "between the places to look from [m]")
-      ->check(CLI::Range(0.2, 10.0))
+      ->check(in_range(0.2, 10.0))
       ->capture_default_str();
   verb->add_option("--reach", derivation.reach_m, "how far the laser sees [m]")
-      ->check(CLI::Range(1.0, 100.0))
+      ->check(in_range(1.0, 100.0))
       ->capture_default_str();
   verb->add_flag("--doors-open", derivation.doors_open, "doors stand open, as if they had no leaf; without it: shut");
   verb->add_option("--svg", options->svg, "also draw the map into this file");

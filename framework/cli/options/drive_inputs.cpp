@@ -1,5 +1,6 @@
 #include "cli/options/drive_inputs.hpp"
 
+#include "benchmark/runs/progress_bar.hpp"
 #include "benchmark/runs/recorded_log.hpp"
 #include "common/phrases.hpp"
 #include "fleet/fleet_evidence.hpp"
@@ -28,13 +29,16 @@ std::vector<DriveEvidence> watched(const LogRunOptions& options, const PluginReg
   deployment.lasers = run.lasers_of(log.records, deployment.lasers);
   const LocalizerParts parts = build_parts(deployment, registry, map);
   std::vector<DriveEvidence> drives;
+  benchmark::ProgressBar bar;
   for (const Query& window : run.windows()) {
     ReplayOptions cut;
     cut.from_s = window.start_s;
     cut.to_s = window.end_s;
     Replay replay(log.records, deployment.lasers, cut);
     const std::string name = fs::path(log_file).filename().string();
-    drives.push_back(observed_drive(parts, replay, run.queries.empty() ? name : name + " " + window.id));
+    const std::string called = run.queries.empty() ? name : name + " " + window.id;
+    drives.push_back(observed_drive(parts, replay, called, [&](double share) { bar.show(share, called); }));
+    bar.clear();
     const DriveEvidence& drive = drives.back();
     fmt::print("{}: learned along {:.0f} m in {}; {:.0f} m left out\n", drive.drive, drive.learned_m,
                count_of(drive.visits.size(), "visit"), drive.left_out_m);
