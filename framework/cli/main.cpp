@@ -1,6 +1,7 @@
 #include "cli/options/exit_code.hpp"
 #include "cli/options/overwritten_inputs.hpp"
 #include "cli/options/verbs.hpp"
+#include "cli/options/wrong_use.hpp"
 
 #include "common/phrases.hpp"
 #include "common/write_error.hpp"
@@ -64,7 +65,8 @@ std::string unknown_command(const CLI::App& app, const std::vector<std::string>&
       if (known->get_name() == word) next = known;
     if (next == nullptr)
       return "'" + word + "': no command of " + command->get_name() +
-             ", expected one of: " + listed_by(all, [](const CLI::App* known) { return known->get_name(); });
+             ", expected one of: " + listed_by(all, [](const CLI::App* known) { return known->get_name(); }) +
+             "; --help explains them";
     command = next;
   }
   return "";
@@ -91,6 +93,7 @@ int program(int argc, char** argv) {
   signal(SIGXFSZ, SIG_IGN);  // a limit on the size of files is an error of the file that reaches it
   CLI::App app("Opal: where a wheeled robot is in a building, from a LiDAR, odometry and a semantic map", "opal");
   app.require_subcommand(1);
+  app.failure_message([&app](const CLI::App*, const CLI::Error& error) { return wrong_use(app, error); });
   app.set_version_flag("--version", "opal " OPAL_VERSION);
   int exit_code = kDone;
   add_verbs(app, exit_code);

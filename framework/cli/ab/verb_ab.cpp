@@ -1,6 +1,7 @@
 #include "cli/ab/ab_bundle.hpp"
 #include "cli/ab/ab_session.hpp"
 #include "cli/options/exit_code.hpp"
+#include "cli/options/number_option.hpp"
 #include "cli/options/verbs.hpp"
 
 #include <functional>
@@ -43,9 +44,7 @@ void add_experiment(CLI::App& verb, AbOptions& options, bool required) {
 }
 
 void add_jobs(CLI::App& verb, AbOptions& options, const std::string& usual) {
-  verb.add_option("--jobs", options.jobs, "processes that compute cells")
-      ->check(CLI::Range(1, 4096))
-      ->default_str(usual);
+  verb.add_option("--jobs", options.jobs, "processes that compute cells")->check(in_range(1, 4096))->default_str(usual);
 }
 
 /// Its experiment is that of the bundle.
@@ -82,7 +81,7 @@ void add_ab_verb(CLI::App& app, int& exit_code) {
   worker->add_option("--shard", options->shard, "I/N: part I of N, from 1 on")->capture_default_str();
   CLI::App* submitter = add("submit", "compute it as a job array under Slurm", submit);
   submitter->add_option("--tasks", options->tasks, "of the array")
-      ->check(CLI::Range(1, 1'000'000))
+      ->check(in_range(1, 1'000'000))
       ->default_str("100, or as many as there are queries");
   submitter->add_option("--sbatch", options->sbatch, "option for sbatch, as --sbatch=--partition=long; may be repeated")
       ->allow_extra_args(false);
@@ -92,7 +91,7 @@ void add_ab_verb(CLI::App& app, int& exit_code) {
                           [](const AbOptions& given) { return bundle_experiment(given); });
   bundler->add_option("--to", options->bundle, "folder of the bundle")->default_str("OUT/bundle");
   bundler->add_option("--largest", options->largest_mb, "recordings above so many MB are named by SHA-256 only")
-      ->check(CLI::Range(0.0, 1e6))
+      ->check(in_range(0.0, 1e6))
       ->capture_default_str();
   add_repeat(*verb, *options, exit_code);
   add_experiment(*verb, *options, false);

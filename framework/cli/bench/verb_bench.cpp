@@ -4,6 +4,7 @@
 #include "cli/options/damage_options.hpp"
 #include "cli/options/exit_code.hpp"
 #include "cli/options/join_options.hpp"
+#include "cli/options/number_option.hpp"
 #include "cli/options/overlay_options.hpp"
 #include "cli/options/run_products.hpp"
 #include "cli/options/verbs.hpp"
@@ -258,7 +259,7 @@ void add_bench_verb(CLI::App& app, int& exit_code) {
                    "kidnap the robot instead: join windows with a cut that nothing tells, drawn by this seed; reads "
                    "PREFIX.gt.csv to choose and to judge, and also writes kidnappings.csv");
   verb->add_option("--kidnappings", options->sequences.count, "so many (default: as many as there are queries)")
-      ->check(CLI::Range(1, 100000));
+      ->check(in_range(1, 100000));
   verb->callback([options, &exit_code] { exit_code = bench(*options); });
 }
 

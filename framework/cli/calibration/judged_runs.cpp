@@ -21,7 +21,8 @@ fs::path truth_of(const fs::path& run, const std::string& folder) {
     throw LogError(summary.string() + ": does not exist, expected a folder that opal bench wrote");
   const nlohmann::json document = read_json(summary.string());
   if (!document.contains("site") || !document["site"].is_string())
-    throw LogError(summary.string() + ": /site: missing, expected the prefix of the recording; run opal bench again");
+    throw LogError(summary.string() +
+                   ": /site: missing, expected a folder that opal bench wrote; other commands write other summaries");
   const fs::path prefix(document["site"].get<std::string>());
   fs::path truth = folder.empty() ? prefix : fs::path(folder) / prefix.filename();
   truth += ".gt.csv";

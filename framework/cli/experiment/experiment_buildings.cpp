@@ -4,6 +4,7 @@
 #include "cli/experiment/experiment_contenders.hpp"
 #include "cli/experiment/experiment_output.hpp"
 #include "cli/options/exit_code.hpp"
+#include "cli/options/number_option.hpp"
 #include "cli/terminal/run_end.hpp"
 #include "cli/terminal/stop_signals.hpp"
 #include "session/session.hpp"
@@ -128,7 +129,7 @@ void add_experiment_buildings(CLI::App& experiment, int& exit_code) {
       "buildings", "the 14 challenges of section 3.5.2 in many synthetic buildings, ever more difficult");
   verb->add_option("-o,--out", o->out, "folder for buildings.json, table.txt and report.html")->required();
   verb->add_option("--buildings", o->suite.buildings, "how many: one of each kind at each difficulty, and again")
-      ->check(CLI::Range(1, 100000))
+      ->check(in_range(1, 100000))
       ->capture_default_str();
   verb->add_option("--kind", o->suite.kinds, "only these: office, hall, warehouse, corridor")->delimiter(',');
   verb->add_option("--difficulty", o->suite.difficulties,
@@ -137,24 +138,22 @@ void add_experiment_buildings(CLI::App& experiment, int& exit_code) {
       ->capture_default_str();
   verb->add_option("--symmetry", o->suite.symmetry,
                    "the same at every difficulty; 0: all parts of a building differ, 1: all are copies")
-      ->check(CLI::Range(0.0, 1.0));
+      ->check(in_range(0.0, 1.0));
   verb->add_option("--size", o->suite.size_factor, "the same at every difficulty, times the usual size")
-      ->check(CLI::Range(0.1, 20.0));
+      ->check(in_range(0.1, 20.0));
   verb->add_option("--clutter", o->suite.clutter, "the same at every difficulty; 1: everyday")
-      ->check(CLI::Range(0.0, 10.0));
+      ->check(in_range(0.0, 10.0));
   verb->add_option("--config", o->configs, "who takes part: names of shipped configurations, or files (.jsonld)")
       ->delimiter(',')
       ->capture_default_str();
   verb->add_option("--building", o->only, "only these of the buildings: office-75-3, ...")->delimiter(',');
   verb->add_option("--challenge", o->runs.challenges, "only these: A1, B7, ...")->delimiter(',');
   verb->add_option("--seeds", o->runs.seeds, "runs per challenge: clutter, people and noise differ")
-      ->check(CLI::PositiveNumber)
+      ->check(above_zero())
       ->capture_default_str();
-  verb->add_option("--duration", o->runs.duration_s, "of each run [s]")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
+  verb->add_option("--duration", o->runs.duration_s, "of each run [s]")->check(above_zero())->capture_default_str();
   verb->add_option("--jobs", o->jobs, "buildings at the same time; results do not depend on it")
-      ->check(CLI::Range(1, 1024))
+      ->check(in_range(1, 1024))
       ->capture_default_str();
   verb->add_flag("--record", o->record, "keep a recording of every run in OUT/recordings, as opal bench takes it");
   verb->callback([o, &exit_code] { exit_code = buildings(*o); });

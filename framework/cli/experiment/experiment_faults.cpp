@@ -97,7 +97,7 @@ void add_experiment_faults(CLI::App& experiment, int& exit_code) {
       ->capture_default_str();
   verb->add_option("--only", o->only, "only these faults, as the table names them");
   verb->add_option("--drives", o->drives, "of each fault; the same number is the same way in the same building")
-      ->check(CLI::PositiveNumber)
+      ->check(above_zero())
       ->capture_default_str();
   add_number(*verb, "--duration", o->drive.duration_s, 10.0, 3600.0, "of each drive [s]");
   add_number(*verb, "--fault-at", o->drive.fault_from_s, 0.0, 3600.0, "when the fault begins [s]");

@@ -3,6 +3,7 @@
 #include "cli/experiment/experiment_integrity.hpp"
 #include "cli/experiment/experiment_storeys.hpp"
 #include "cli/experiment/experiments.hpp"
+#include "cli/options/number_option.hpp"
 #include "cli/options/verbs.hpp"
 #include "session/session.hpp"
 
@@ -35,19 +36,19 @@ void add_thesis(CLI::App& experiments, const std::string& name, const std::strin
       ->default_str("thesis3 default, or thesis4 default");
   verb->add_option("--only,--challenge", options->only, "only these: A1, B7, ...");
   verb->add_option("--seeds", options->seeds, "runs of each: clutter, people and noise differ")
-      ->check(CLI::PositiveNumber)
+      ->check(above_zero())
       ->capture_default_str();
   verb->add_option("--jobs", options->jobs, "at the same time; results do not depend on it")
-      ->check(CLI::Range(1, 1000))
+      ->check(in_range(1, 1000))
       ->capture_default_str();
   verb->add_option("--duration", options->duration_s, "thesis3: of each run [s]")
-      ->check(CLI::PositiveNumber)
+      ->check(above_zero())
       ->capture_default_str();
   verb->add_option("--baseline", options->baselines,
                    "thesis3: programs that localize on the same logs, one more block each");
   verb->add_flag("--logs", options->logs, "thesis3: keep what was recorded, and the map as a grid, in OUT/logs");
   verb->add_option("--most", options->most_s, "thesis4: of each drive, before it is given up [s]")
-      ->check(CLI::PositiveNumber)
+      ->check(above_zero())
       ->capture_default_str();
   verb->add_option("--behaviour", options->behaviour, "thesis4: by which all drive")
       ->default_str("inspect for the thesis' configurations, the first tree for others");

@@ -2,6 +2,7 @@
 #include "benchmark/runs/localize_run.hpp"
 #include "cli/options/exit_code.hpp"
 #include "cli/options/log_run_setup.hpp"
+#include "cli/options/number_option.hpp"
 #include "cli/options/run_products.hpp"
 #include "cli/options/verbs.hpp"
 #include "cli/terminal/live_view.hpp"
@@ -62,10 +63,10 @@ void add_live_options(CLI::App& verb, const std::shared_ptr<LocalizeOptions>& op
   CLI::Option* serve = verb.add_flag("--serve{" + std::to_string(LiveServer::kUsualPort) + "}", options->port,
                                      "show the run while it goes on, to browsers on this machine, until Ctrl-C; "
                                      "--serve=PORT for another port, 0 for any free one");
-  serve->check(CLI::Range(-1, 65535, "0 to 65535"));
+  serve->check(port_of_flag());
   CLI::Option* speed =
       verb.add_option("--speed", options->speed, "with --serve: 1 plays the log in real time, 0 as fast as possible");
-  speed->check(CLI::NonNegativeNumber)->needs(serve)->default_str("1");
+  speed->check(zero_or_more())->needs(serve)->default_str("1");
   verb.parse_complete_callback([=] {
     options->serve = serve->count() > 0;
     options->port = std::max(0, options->port);  // a flag's value of 0 reads as "not", which is -1

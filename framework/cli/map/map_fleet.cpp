@@ -1,5 +1,6 @@
 #include "cli/map/map_fleet.hpp"
 #include "cli/options/exit_code.hpp"
+#include "cli/options/number_option.hpp"
 
 #include "session/session.hpp"
 #include "session/stored_maps.hpp"
@@ -41,7 +42,7 @@ void add_push(CLI::App& map, int& exit_code) {
   verb->add_option("--message", options->push.message, "what is new, for those who list versions");
   verb->add_option("--expect", options->push.expected_version,
                    "push only if this is the newest version so far; 0: the building is new to the store")
-      ->check(CLI::NonNegativeNumber);
+      ->check(zero_or_more());
   verb->callback([options, &exit_code] { exit_code = push(*options); });
 }
 
@@ -66,7 +67,7 @@ void add_pull(CLI::App& map, int& exit_code) {
   CLI::App* verb = map.add_subcommand("pull", "write a map of the map store into a file");
   verb->add_option("--building", options->source.building, "whose map")->required();
   verb->add_option("--version", options->source.version, "which version; the newest if it is not given")
-      ->check(CLI::PositiveNumber);
+      ->check(above_zero());
   verb->add_option("-o,--out", options->out, "map document to write (.jsonld)")->required();
   verb->callback([options, &exit_code] { exit_code = pull(*options); });
 }

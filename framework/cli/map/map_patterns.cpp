@@ -1,5 +1,6 @@
 #include "cli/map/map_patterns.hpp"
 #include "cli/options/exit_code.hpp"
+#include "cli/options/number_option.hpp"
 
 #include "session/session.hpp"
 
@@ -111,7 +112,7 @@ void add_map_patterns(CLI::App& map, int& exit_code) {
   verb->add_option("--template", options->templates,
                    "type name of a pattern template; all that the map has features for");
   verb->add_option("--size", options->layer.size_m, "how far neighbours in a pattern may be apart [m]")
-      ->check(CLI::Range(0.1, 100.0))
+      ->check(in_range(0.1, 100.0))
       ->capture_default_str();
   verb->add_option("--sensor", options->sensor, "id of the sensor that perceives them")->capture_default_str();
   verb->add_option("--svg", options->svg, "also draw map and patterns into this file");

@@ -2,6 +2,7 @@
 
 #include "cli/options/drive_inputs.hpp"
 #include "cli/options/exit_code.hpp"
+#include "cli/options/number_option.hpp"
 #include "cli/terminal/stop_signals.hpp"
 #include "common/digest/sha256.hpp"
 #include "common/text_file.hpp"
@@ -121,10 +122,10 @@ void add_map_review(CLI::App& map, int& exit_code) {
       "--decisions", options->decisions,
       "decisions of such a page: makes the overlay of them, without a page; with --html, goes on with them");
   verb->add_option("--port", options->port, "of the page on this machine; 0: any free one")
-      ->check(CLI::Range(0, 65535))
+      ->check(in_range(0, 65535))
       ->capture_default_str();
   verb->add_option("--least", options->least_probability, "proposals that are less probable are shown as doubtful")
-      ->check(CLI::Range(0.5, 1.0))
+      ->check(in_range(0.5, 1.0))
       ->capture_default_str();
   verb->callback([options, &exit_code] { exit_code = review(*options); });
 }

@@ -14,6 +14,11 @@ def run_of_the_corridor(bench):
     bench.opal(*(word.format(configs=TREE / "configs", malaga=MALAGA) for word in LOCALIZE.split()))
 
 
+def tracked_drive(bench):
+    bench.opal("track", "malaga", str(MALAGA / "malaga-demo.log.gz"), "--map", str(MALAGA / "malaga-demo.map.yaml"),
+               "--truth", str(MALAGA / "malaga-demo.gt.csv"), "-o", "out")
+
+
 def runs_of_two_logs(bench):
     run_of_the_corridor(bench)
     log(lambda it: it.lines.__delitem__(slice(40, None)))(bench)
@@ -55,15 +60,30 @@ MISTAKES = [
     Mistake("unknown command", "The command does not exist.", "locate", 2,
             ["'locate': no command of opal, expected one of: demo, map, info, localize"]),
     Mistake("nothing to read", "`opal localize` without its configuration and log.", "localize", 2,
-            ["CONFIG is required"]),
+            ["opal localize: CONFIG is required", "Usage: opal localize [OPTIONS] CONFIG LOG"]),
     Mistake("unknown option", "An option is misspelled.", LOCALIZE + " --quieries x.json", 2,
-            ["arguments were not expected", "--quieries"]),
+            ["opal localize: --quieries: no option of this command, did you mean --queries?",
+             "Usage: opal localize [OPTIONS] CONFIG LOG"]),
+    Mistake("building that is not in the experiment", "A building of an experiment is misspelled.",
+            "experiment buildings -o out --building corridor-75-99", 3,
+            ["experiment: none is called 'corridor-75-99', expected some of corridor-75-1, corridor-75-2", "more"],
+            absent=["out"]),
+    Mistake("number of nothing", "An experiment is asked for no runs.", "experiment thesis3 -o out --seeds 0", 2,
+            ["--seeds: 0 is not in range, expected a number above 0"], absent=["out"]),
+    Mistake("run of another command", "`opal calibration` gets a folder that `opal track` has written.",
+            "calibration out", 3, ["out/summary.json: /site: missing, expected a folder that opal bench wrote"],
+            make=tracked_drive),
+    Mistake("too many words", "A word stands where the command expects no more.", "explain out at 7", 2,
+            ["opal explain: not expected: at, 7"]),
+    Mistake("map that is not named", "`opal serve` is not told of a map.", "serve {configs}/default.jsonld", 3,
+            ["default.jsonld: /map: missing; name a map here or with --map"]),
     Mistake("word instead of a number", "A word stands where a number is expected.",
-            "simulate {maps}/gemini.jsonld -o sim --fov wide", 2, ["--fov", "wide"]),
+            "simulate {maps}/gemini.jsonld -o sim --fov wide", 2,
+            ["--fov: 'wide', expected a number from 1 to 360"]),
     Mistake("value out of its range", "A number makes no sense.", "simulate {maps}/gemini.jsonld -o sim --beams 0", 2,
             ["--beams", "0", "1 to 100000"]),
     *[Mistake(f"simulation with {option} {value}", wrong, f"simulate {{maps}}/gemini.jsonld -o sim {option}={value}", 2,
-              [option, value, "not in range"], absent=["sim.log.gz"])
+              [option, f"{value} is not in range, expected"], absent=["sim.log.gz"])
       for option, value, wrong in [
           ("--drives", "0", "No drive is asked for."),
           ("--distance", "-5", "A drive has a negative length."),

@@ -51,7 +51,7 @@ Shard read_shard(const std::string& text) {
   const bool good =
       slash != std::string::npos && number(0, slash, shard.number) && number(slash + 1, text.size(), shard.of);
   if (!good || shard.number < 1 || shard.number > shard.of)
-    throw ConfigError("--shard: \"" + text + "\", expected a part and their number, as 3/10");
+    throw ConfigError("--shard: \"" + text + "\", expected PART/PARTS, as 3/10: the third of ten parts");
   return shard;
 }
 
