@@ -144,6 +144,8 @@ ordered_json verdict_sentences(const ResultFolder& results) {
 }
 
 void expect_new_folder(const std::string& folder) {
+  if (fs::exists(folder) && !fs::is_directory(folder))
+    throw ConfigError(folder + ": is a file, expected a folder that is empty or not there");
   if (fs::exists(folder) && !fs::is_empty(folder))
     throw ConfigError(folder + ": holds something, expected a folder that is empty or not there");
 }

@@ -3,6 +3,7 @@
 #include "benchmark/runs/view_page.hpp"
 
 #include "benchmark/ab/execution/child_process.hpp"
+#include "common/whole_file.hpp"
 
 #include <opal/common/error.hpp>
 
@@ -81,7 +82,7 @@ std::string file_name(std::string cell) {
 ViewLinks write_views(const ab::Experiment& experiment, const ab::CellPlan& plan, const ab::ResultFolder& folder,
                       const ab::MergedResults& results, LocalizingRunner& runner) {
   const fs::path views = folder.file("views");
-  fs::create_directories(views);
+  make_folder(views.string());
   std::map<std::string, std::string> links;  // by cell
   for (const Contrast& contrast : contrasts_of(experiment, plan, results)) {
     const ab::Task task = plan.task(contrast.task);

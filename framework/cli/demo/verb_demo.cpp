@@ -1,4 +1,5 @@
 #include "cli/options/verbs.hpp"
+#include "common/whole_file.hpp"
 #include "session/shipped_files.hpp"
 
 #include <algorithm>
@@ -32,7 +33,7 @@ int run_command(Words words) {
 int demo(const std::string& out) {
   const fs::path data = session::shipped_file("maps/malaga"), folder = out;
   const std::string map = (folder / "malaga.jsonld").string();
-  fs::create_directories(folder);
+  make_folder(out);
   const std::vector<Words> commands{{"map", "import", data / "malaga.map.yaml", "-o", map, "--svg", folder / "map.svg"},
                                     {"localize", session::shipped_config("malaga.jsonld"), data / "malaga.log.gz",
                                      "--map", map, "--truth", data / "malaga.gt.csv", "-o", out},

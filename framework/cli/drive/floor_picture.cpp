@@ -1,5 +1,6 @@
 #include "cli/drive/floor_picture.hpp"
 
+#include "common/whole_file.hpp"
 #include "drawing/drawing.hpp"
 #include "report/quantity_text.hpp"
 
@@ -23,7 +24,7 @@ std::string draw_floor(const simulation::Simulation& simulation, const Point& re
     scene.places = {{refused, "the place that was refused"}};
   else
     scene.notes.push_back("The place that was refused lies beyond the picture, at " + place_text(refused) + ".");
-  std::filesystem::create_directories(folder);
+  make_folder(folder.string());
   write_svg(scene, (folder / "floor.svg").string());
   write_png(scene, (folder / "floor.png").string());
   return (folder / "floor.svg").string();

@@ -1,6 +1,7 @@
 #include "cli/map/map_redraw.hpp"
 
 #include "cli/options/exit_code.hpp"
+#include "common/whole_file.hpp"
 #include "evaluation/ground_truth.hpp"
 #include "evaluation/site.hpp"
 #include "map_tools/test_maps/cone_mapping.hpp"
@@ -50,7 +51,7 @@ void redraw(const PluginRegistry& registry, const std::string& prefix, const Red
 
 int redraw(const RedrawOptions& options) {
   const PluginRegistry registry = session::load_plugins();
-  fs::create_directories(options.folder);
+  make_folder(options.folder);
   for (const std::string& prefix : options.prefixes) redraw(registry, prefix, options);
   return kDone;
 }

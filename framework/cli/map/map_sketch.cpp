@@ -1,6 +1,7 @@
 #include "cli/map/map_sketch.hpp"
 
 #include "cli/options/exit_code.hpp"
+#include "common/whole_file.hpp"
 #include "map_tools/test_maps/plan_sketch.hpp"
 #include "session/session.hpp"
 
@@ -31,7 +32,7 @@ PlanSketch plan_of(const SketchOptions& options) {
 
 int sketch(const SketchOptions& options) {
   const PluginRegistry registry = session::load_plugins();
-  fs::create_directories(options.folder);
+  make_folder(options.folder);
   for (const std::string& map : options.maps) {
     const std::string out =
         (fs::path(options.folder) / (session::name_of_map(map) + ".map.yaml")).lexically_normal().string();

@@ -10,6 +10,9 @@ IMPORT = "map import {malaga}/malaga-demo.map.yaml -o %s"
 MISTAKES = [
     Mistake("file instead of a folder", "Results shall go into a file.", RUN % "notes.txt", 4,
             ["notes.txt", "Not a directory"], make=file("notes.txt", "mine\n")),
+    Mistake("sketch into a file", "Sketches of maps shall go into a file.",
+            "map sketch {maps}/example_room.jsonld -o notes.txt", 4,
+            ["notes.txt: the folder cannot be made: Not a directory"], make=file("notes.txt", "mine\n")),
     Mistake("folder below a file", "Results shall go into a folder below a file.", RUN % "notes.txt/out", 4,
             ["notes.txt/out", "Not a directory"], make=file("notes.txt", "mine\n")),
     Mistake("folder that nobody can write", "Results shall go where the system forbids it.", RUN % "/proc/opal", 4,
