@@ -91,11 +91,22 @@ PlacementOptions GeoJsonImporter::placement() const {
   return placement;
 }
 
+namespace {
+
+/// "'0' (Parkway)"
+std::string level_in_words(const FeatureCollection& collection, const std::string& level) {
+  const auto label = collection.label_of_level.find(level);
+  const bool is_plain = label == collection.label_of_level.end() || label->second == level;
+  return "'" + level + "'" + (is_plain ? "" : " (" + label->second + ")");
+}
+
+}  // namespace
+
 std::string GeoJsonImporter::chosen_level(const std::string& path, const FeatureCollection& collection,
                                           std::vector<std::string>& sentences) const {
   const std::vector<std::string> levels = all_levels(collection);
   std::string listed;
-  for (const std::string& level : levels) listed += (listed.empty() ? "'" : ", '") + level + "'";
+  for (const std::string& level : levels) listed += (listed.empty() ? "" : ", ") + level_in_words(collection, level);
   if (storey_.empty()) {
     if (levels.size() < 2) return "";
     const std::string level = level_at_ground(collection);
@@ -103,7 +114,7 @@ std::string GeoJsonImporter::chosen_level(const std::string& path, const Feature
         collection.level_property.empty() ? "" : " (as the property '" + collection.level_property + "' says)";
     const std::string which = is_numbered(level) ? "the nearest to the ground" : "the first by its name";
     if (!level.empty())
-      sentences.push_back("level '" + level + "' of " + listed + where + ", " + which +
+      sentences.push_back("level " + level_in_words(collection, level) + " of " + listed + where + ", " + which +
                           " that gives anything (--storey chooses another)");
     return level;
   }

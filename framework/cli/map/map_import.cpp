@@ -14,6 +14,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <iostream>
 
@@ -117,8 +118,10 @@ int import(const ImportOptions& options) {
   return kDone;
 }
 
-void print(const Storey& storey) {
-  fmt::print("{:<24}  level {:8.3f} m  cut {:8.3f} m  ", "'" + storey.name + "'", storey.elevation_m, storey.height_m);
+/// A plan has levels without heights.
+void print(const Storey& storey, bool has_heights) {
+  fmt::print("{:<24}  ", "'" + storey.name + "'");
+  if (has_heights) fmt::print("level {:8.3f} m  cut {:8.3f} m  ", storey.elevation_m, storey.height_m);
   const auto text_of = [](const auto& gives) { return fmt::format("{} {}", gives.second, gives.first); };
   fmt::print("{}\n", storey.gives.empty() ? "nothing" : listed_by(storey.gives, text_of));
 }
@@ -129,7 +132,9 @@ int storeys(const std::string& source, const ImportOptions& options) {
   const auto importer = registry.make<MapImporter>(type.info.name, options_for(type, registry, options));
   const std::vector<Storey> levels = importer->storeys(source);
   if (levels.empty()) std::cout << source << ": has no storeys\n";
-  for (const Storey& level : levels) print(level);
+  const bool has_heights =
+      std::ranges::any_of(levels, [](const Storey& level) { return level.elevation_m != 0 || level.height_m != 0; });
+  for (const Storey& level : levels) print(level, has_heights);
   return levels.empty() ? kNo : kDone;
 }
 

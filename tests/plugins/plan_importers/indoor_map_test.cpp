@@ -150,6 +150,8 @@ TEST_CASE("an archive of IMDF is read as one, by any of its files or its folder"
   REQUIRE(storeys.size() == 2);
   CHECK(storeys[1].name == "Concourse");
   CHECK(storeys[1].gives == std::map<std::string, int>{{"category=room", 1}});
+  CHECK(says(import_path(archive.path(), {{"geographic", false}}),
+             "level '0' (Ground) of '0' (Ground), '1' (Concourse)"));
   const MapImport above = import_path(archive.path(), {{"geographic", false}, {"storey", "Concourse"}});
   CHECK(all<Segment>(*above.map).size() == 8);
 }
