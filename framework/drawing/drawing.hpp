@@ -19,6 +19,7 @@ struct DrawingScene {
   std::vector<std::array<Point, 2>> floor;  ///< where a robot can be: rectangles (corners min, max)
   bool coordinates = false;                 ///< a grid of metres, where there is room for it, with its coordinates
   std::vector<Geometry> unmapped;           ///< what stands there besides
+  std::string unmapped_words = "stands there, not in the map";  ///< in the legend
   std::vector<Point> scan_points;
   std::vector<Point> free_space;  ///< outline of what the laser sees to be empty, in order
 
@@ -29,7 +30,8 @@ struct DrawingScene {
     Perception perception = Perception::stable;
   };
   std::vector<DrawnLocalFeature> local_features;
-  std::vector<std::vector<Point>> patterns;  ///< places of the local features that make a pattern, each
+  std::string matched_words = "local feature, associated";  ///< in the legend: what is drawn as matched
+  std::vector<std::vector<Point>> patterns;                 ///< places of the local features that make a pattern, each
 
   struct DrawnHypothesis {
     Pose2 T_map_base;
@@ -46,6 +48,7 @@ struct DrawingScene {
 
   /// Where something speaks against the best hypothesis: a beam that passes through a wall.
   std::vector<std::array<Point, 2>> contradictions;
+  std::string contradiction_words = "speaks against it";  ///< in the legend: what is drawn as a contradiction
 
   /// A place with a word for the legend: "goal".
   struct DrawnPlace {

@@ -96,15 +96,16 @@ std::vector<LegendRow> legend_rows(const DrawingScene& scene) {
     if (present) rows.push_back({std::move(label), std::move(symbol)});
   };
   add(!scene.floor.empty(), "where a robot can be", floor_symbol);
-  add(!scene.unmapped.empty(), "stands there, not in the map", stroke_symbol(ink::kUnmapped, kUnmapped_px));
+  add(!scene.unmapped.empty(), scene.unmapped_words, stroke_symbol(ink::kUnmapped, kUnmapped_px));
   add(!scene.free_space.empty(), "seen to be free", area_symbol);
   add(!scene.scan_points.empty(), "scan", dots_symbol);
   using Perception = DrawingScene::Perception;
-  for (const auto& [perception, name] : {std::pair(Perception::candidate, "local feature, seen too little yet ("),
-                                         std::pair(Perception::stable, "local feature ("),
-                                         std::pair(Perception::matched, "local feature, associated (")})
+  for (const auto& [perception, name] :
+       {std::pair(Perception::candidate, std::string("local feature, seen too little yet")),
+        std::pair(Perception::stable, std::string("local feature")),
+        std::pair(Perception::matched, scene.matched_words)})
     if (const std::size_t found = count(scene, perception); found > 0)
-      add(true, name + std::to_string(found) + ")", perception_symbol(perception));
+      add(true, name + " (" + std::to_string(found) + ")", perception_symbol(perception));
   add(!scene.patterns.empty(),
       (scene.local_features.empty() ? "patterns (" : "patterns looked up (") + std::to_string(scene.patterns.size()) +
           ")",
@@ -116,7 +117,8 @@ std::vector<LegendRow> legend_rows(const DrawingScene& scene) {
   add(scene.hypotheses.size() > 1, "other hypotheses (" + std::to_string(scene.hypotheses.size() - 1) + ")",
       head_symbol(alternative_color(0.5), alternative_head_px(0.5)));
   add(!scene.ended.empty(), "ended (" + std::to_string(scene.ended.size()) + ")", ended_symbol);
-  add(!scene.contradictions.empty(), "speaks against it (" + std::to_string(scene.contradictions.size()) + ")",
+  add(!scene.contradictions.empty(),
+      scene.contradiction_words + " (" + std::to_string(scene.contradictions.size()) + ")",
       stroke_symbol(ink::kContradiction, kContradiction_px, kDash_px));
   for (const auto& place : scene.places) add(true, place.label, draw_place);
   add(!scene.trajectory.empty(), "trajectory", stroke_symbol(ink::kTrajectory, kTrajectory_px));

@@ -99,6 +99,19 @@ TEST_CASE("places, storeys and coordinates are drawn") {
   }));
 }
 
+TEST_CASE("the legend calls what is drawn by the words of the picture") {
+  const auto drawn = [](const char* words) {
+    DrawingScene scene = hall();
+    scene.contradictions = {{Point(0, 0), Point(1, 0)}};
+    if (words) scene.contradiction_words = words;
+    const std::string file = picture_path("words.svg");
+    write_svg(scene, file);
+    return content_of(file);
+  };
+  CHECK(drawn(nullptr) == drawn("speaks against it"));
+  CHECK(drawn(nullptr) != drawn("gone: beams pass through it"));
+}
+
 TEST_CASE("no line is drawn where the estimate jumps") {
   const auto paths = [](const std::vector<Point>& trajectory) {
     DrawingScene scene;

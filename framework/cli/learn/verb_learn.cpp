@@ -1,5 +1,6 @@
 #include "cli/options/drive_inputs.hpp"
 #include "cli/options/exit_code.hpp"
+#include "cli/options/number_option.hpp"
 #include "cli/options/verbs.hpp"
 #include "common/text_file.hpp"
 #include "drawing/drawing.hpp"
@@ -35,6 +36,9 @@ void draw(const std::shared_ptr<const SemanticMap>& map, const Learned& learned,
   DrawingScene scene;
   scene.title = map->name() + ": what drives have taught";
   scene.map = map;
+  scene.unmapped_words = "added: the map lacks it";
+  scene.matched_words = "moved: where the drives see it";
+  scene.contradiction_words = "gone: beams pass through it";
   for (const Proposal& proposal : learned.proposals) {
     if (proposal.change == Change::added) scene.unmapped.push_back(proposal.face);
     for (const MapFeature& feature : map->features()) {
@@ -121,7 +125,7 @@ void add_learn_verb(CLI::App& app, int& exit_code) {
   verb->add_flag("--push", options->is_pushed,
                  "tell the map store what the drives say of store:BUILDING, for all robots together");
   verb->add_option("--least", options->least_probability, "changes that are less probable are told, not written")
-      ->check(CLI::Range(0.5, 1.0))
+      ->check(in_range(0.5, 1.0))
       ->capture_default_str();
   verb->add_option("--evidence", options->evidence,
                    "also write what each drive says (.json), to be put together later");

@@ -4,6 +4,7 @@
 
 #include "benchmark/runs/run_picture.hpp"
 
+#include "common/phrases.hpp"
 #include "common/text_file.hpp"
 #include "drawing/drawing.hpp"
 
@@ -54,8 +55,10 @@ DrawingScene deviation_scene(std::shared_ptr<const SemanticMap> map, const MapBe
     }
   }
   scene.map = std::move(map);
-  scene.notes = {std::to_string(moved) + " objects stand elsewhere: their faces are drawn where they were perceived",
-                 std::to_string(absent) + " objects are probably absent: drawn as contradictions"};
+  scene.matched_words = "moved: where the drive sees it";
+  scene.contradiction_words = "probably absent: beams pass through it";
+  scene.notes = {count_of(moved, "object") + (moved == 1 ? " stands" : " stand") + " elsewhere",
+                 count_of(absent, "object") + (absent == 1 ? " is" : " are") + " probably absent"};
   return scene;
 }
 
@@ -118,9 +121,10 @@ void TrackOutput::write_deviations(const MapBelief& belief) const {
   const auto count = [&](DeviationVerdict verdict) {
     return std::count_if(deviations.begin(), deviations.end(), [&](const auto& d) { return d.verdict == verdict; });
   };
-  std::cout << "of " << deviations.size() << " mapped objects that were recognized, " << count(DeviationVerdict::moved)
-            << " stand elsewhere, " << count(DeviationVerdict::probably_absent)
-            << " are probably absent: " << (folder_ / "deviations.txt").string() << '\n';
+  std::cout << "mapped objects that were recognized: " << deviations.size()
+            << "; moved: " << count(DeviationVerdict::moved)
+            << "; probably absent: " << count(DeviationVerdict::probably_absent)
+            << "; the list: " << (folder_ / "deviations.txt").string() << '\n';
 }
 
 void TrackOutput::write_smoothed(const TrackedWindow& window, const SmoothedTrack& smoothed) const {
