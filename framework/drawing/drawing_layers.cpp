@@ -79,12 +79,17 @@ void draw_map(DrawingCanvas& canvas, const SemanticMap& map) {
   for (const MapFeature& feature : map.features()) canvas.geometry(feature.geometry, color(feature), kWall_px);
 }
 
-/// Names of sheets, above their upper left corners.
+/// Names of sheets, above their upper left corners; where the picture ends there, inside of it.
 void draw_storeys(DrawingCanvas& canvas, const SemanticMap& map) {
   constexpr double kText_px = 13;
-  for (const MapStorey& storey : map.origin().storeys)
-    canvas.text(canvas.frame().to_page({storey.bounds[0].x(), storey.bounds[1].y()}) + Point(0, -4), storey.label(),
-                kText_px, ink::kText, true);
+  const PageFrame& frame = canvas.frame();
+  for (const MapStorey& storey : map.origin().storeys) {
+    const Point corner = frame.to_page({storey.bounds[0].x(), storey.bounds[1].y()}) + Point(0, -4);
+    const double room_px = frame.plot_size_px.x() - canvas.text_width_px(storey.label(), kText_px, true);
+    const Point inside(std::min(corner.x(), frame.plot_origin_px.x() + room_px),
+                       std::max(corner.y(), frame.plot_origin_px.y() - frame.plot_size_px.y() + kText_px));
+    canvas.text(inside, storey.label(), kText_px, ink::kText, true);
+  }
 }
 
 /// Where a short line can show which mapped geometry a local one is taken for.
