@@ -44,13 +44,17 @@ sim::Recording driven(const SemanticMap& map, const std::shared_ptr<const Semant
   return sim::record(simulation, drives, Random(seed).branch());
 }
 
+/// The ranges are those of `opal simulate`.
+template <class Number>
+Number in_range(const char* name, Number value, Number least, Number most) {
+  if (value >= least && value <= most) return value;
+  throw ConfigError(fmt::format("simulate: {}: {}, expected a number from {} to {}", name, value, least, most));
+}
+
 sim::ClutterOptions clutter_of(double level, double along_walls) {
-  if (!(along_walls >= 0 && along_walls <= sim::kMostAlongWalls))
-    throw ConfigError(
-        fmt::format("simulate: along_walls: {}, expected a number from 0 to {}", along_walls, sim::kMostAlongWalls));
   sim::ClutterOptions clutter;
-  clutter.level = level;
-  clutter.along_walls = along_walls;
+  clutter.level = in_range("clutter", level, 0.0, 100.0);
+  clutter.along_walls = in_range("along_walls", along_walls, 0.0, sim::kMostAlongWalls);
   return clutter;
 }
 
@@ -67,12 +71,12 @@ py::dict simulate(const MapHandle& map, const std::string& prefix, int drives, d
                   const std::optional<std::vector<LaserModel>>& lasers, std::uint64_t seed) {
   sim::SimulationOptions world;
   world.clutter = clutter_of(clutter, along_walls);
-  world.people = people;
-  world.doors_open_share = doors_open;
+  world.people = in_range("people", people, 0, 1000);
+  world.doors_open_share = in_range("doors_open", doors_open, 0.0, 1.0);
   if (lasers) take_lasers(*lasers, world);
   sim::DriveOptions way;
-  way.drives = drives;
-  way.distance_m = distance_m;
+  way.drives = in_range("drives", drives, 1, 100000);
+  way.distance_m = in_range("distance_m", distance_m, 0.1, 100000.0);
   sim::Recording recording;
   {
     const py::gil_scoped_release others_run;

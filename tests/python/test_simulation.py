@@ -50,6 +50,10 @@ class Simulations(InFolder):
         for share in (-0.1, 0.96, float("nan")):
             with self.assertRaisesRegex(opal.ConfigError, "along_walls: .*, expected a number from 0 to 0.95"):
                 opal.simulate(building, self.made("drives"), along_walls=share)
+        for name, value in (("drives", 0), ("distance_m", -5.0), ("people", -1), ("doors_open", 70.0), ("clutter", -1.0)):
+            with self.assertRaisesRegex(opal.ConfigError, f"simulate: {name}: {value:g}, expected a number from "):
+                opal.simulate(building, self.made("nothing"), **{name: value})
+        self.assertEqual(list(self.folder.glob("nothing*")), [])
 
     def test_results_on_storeys_name_them_as_results_csv_does(self):
         for name, seed in (("ground", 1), ("upper", 2)):
