@@ -50,7 +50,7 @@ Table table_of(const Calibration& c) {
 
 std::string scores_of(const Calibration& c) {
   return fmt::format(
-      "  Brier score {} = reliability {:.5f} - resolution {:.5f} + uncertainty {:.5f} {:+.5f}\n"
+      "  Brier score {} = reliability {:.5f} - resolution {:.5f} + uncertainty {:.5f}, {:+.5f} within the bins\n"
       "  log loss {:.4f} nat ({}), expected calibration error {}\n",
       within_text(c.brier, c.brier_within.low, c.brier_within.high, 5), c.reliability, c.resolution, c.uncertainty,
       c.within_bins, c.log_loss, interval_text(c.log_loss_within.low, c.log_loss_within.high, 4),

@@ -188,8 +188,9 @@ std::vector<std::string> report(const Building& building, const LevelChoice& lev
   const auto append = [&sentences](const std::vector<std::string>& more) {
     sentences.insert(sentences.end(), more.begin(), more.end());
   };
-  sentences.push_back(fmt::format("{} in {}: {} storeys, {} things", building.schema, building.unit_name,
-                                  building.levels.size(), building.elements.size()));
+  sentences.push_back(fmt::format("{} in {}: {} {}, {} things", building.schema, building.unit_name,
+                                  building.levels.size(), building.levels.size() == 1 ? "storey" : "storeys",
+                                  building.elements.size()));
   sentences.push_back(level.sentence);
   append(per_class(elements));
   sentences.push_back(fmt::format("{} wall faces, {:.0f} m; {} corners; {} round columns", assembled.faces,

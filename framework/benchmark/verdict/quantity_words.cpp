@@ -125,11 +125,12 @@ std::string signed_interval_text(const MetricResult& result) {
 }
 
 std::string more_queries_text(const MetricResult& result) {
-  const std::string queries = "about " + fixed_text(two_digits(std::ceil(result.more_queries)), 0) + " more queries";
+  const double more = two_digits(std::ceil(result.more_queries));
+  const std::string queries = "about " + fixed_text(more, 0) + (more == 1 ? " more query" : " more queries");
   if (!result.between_clusters) return queries;
   const double per_cluster = static_cast<double>(result.pairs) / static_cast<double>(result.clusters.size());
-  return queries + ", from " + fixed_text(two_digits(std::ceil(result.more_queries / per_cluster - 1e-9)), 0) +
-         " more sites like these,";
+  const double sites = two_digits(std::ceil(result.more_queries / per_cluster - 1e-9));
+  return queries + ", from " + fixed_text(sites, 0) + (sites == 1 ? " more site" : " more sites") + " like these,";
 }
 
 std::string list_text(const std::vector<std::string>& names) {

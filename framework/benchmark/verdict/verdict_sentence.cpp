@@ -133,10 +133,14 @@ std::string open_sentence(const MetricResult& result, double level) {
   return known + more_queries_text(result) + " would tell " + difference_to_tell(result) + ".";
 }
 
+std::string only_queries_of(std::size_t sites) {
+  return std::string(" only, with ") + (sites == 1 ? "its" : "their") + " queries taken as independent.";
+}
+
 std::string scope_sentence(const Verdict& verdict) {
   if (verdict.clusters >= kFewestClusters) return "";
   return "Said of " + std::string(verdict.clusters == 1 ? "this site" : "these " + count_of(verdict.clusters, "site")) +
-         " only, with their queries taken as independent.";
+         only_queries_of(verdict.clusters);
 }
 
 std::string joined(const std::vector<std::string>& sentences) {
@@ -165,8 +169,7 @@ std::string left_out_note(const Verdict& verdict, const MetricResult& result) {
   const std::string note = fmt::format("{} queries have no {} of both arms and are left out of it.", result.left_out,
                                        name_in_words(result.metric));
   if (result.between_clusters || verdict.clusters < kFewestClusters) return note;
-  return note + " It is said of " + count_of(result.clusters.size(), "site") +
-         " only, with their queries taken as independent.";
+  return note + " It is said of " + count_of(result.clusters.size(), "site") + only_queries_of(result.clusters.size());
 }
 
 std::string disagreement_note(const MetricResult& result, double level) {

@@ -1,8 +1,10 @@
 #include "cli/calibration/judged_runs.hpp"
 #include "cli/options/exit_code.hpp"
+#include "cli/options/number_option.hpp"
 #include "cli/options/verbs.hpp"
 
 #include <opal/common/error.hpp>
+#include "common/phrases.hpp"
 #include "common/text_file.hpp"
 #include "evaluation/calibration_page.hpp"
 #include "output/output_folder.hpp"
@@ -52,16 +54,20 @@ nlohmann::ordered_json json_of(const JudgedRuns& runs, const std::vector<Calibra
           {"none", both(chapters[2])}};
 }
 
+std::string queries_in_words(std::size_t count) {
+  return fmt::format("{} {}", count, count == 1 ? "query" : "queries");
+}
+
 std::string flags_of(const JudgedRuns& runs) {
   const double share = runs.share_of_queries_with_false_flag();
   const Interval queries = wilson_interval(share, double(runs.queries));
   return fmt::format(
-      "{} rows of {} queries in {} runs\n"
+      "{} of {} in {}\n"
       "flagged as localized: {} rows, {} of them wrong ({:.3f} %); {} queries\n"
       "queries with a wrong flag: {} of {}, {:.1f} % (95 %: {:.1f} to {:.1f})\n",
-      runs.rows, runs.queries, runs.runs, runs.flagged_rows, runs.false_rows,
-      runs.flagged_rows ? 100.0 * double(runs.false_rows) / double(runs.flagged_rows) : 0.0, runs.flagged_queries,
-      runs.false_queries, runs.queries, 100 * share, 100 * queries.low, 100 * queries.high);
+      count_of(runs.rows, "row"), queries_in_words(runs.queries), count_of(runs.runs, "run"), runs.flagged_rows,
+      runs.false_rows, runs.flagged_rows ? 100.0 * double(runs.false_rows) / double(runs.flagged_rows) : 0.0,
+      runs.flagged_queries, runs.false_queries, runs.queries, 100 * share, 100 * queries.low, 100 * queries.high);
 }
 
 int calibrate(const CalibrationOptions& options) {
@@ -96,11 +102,11 @@ void add_calibration_verb(CLI::App& app, int& exit_code) {
   verb->add_option("--truth", options->truth, "folder that holds SITE.gt.csv (default: where the run's recording was)");
   verb->add_option("--within", options->right.position_m, "a pose with smaller errors is right: of the position [m]")
       ->capture_default_str()
-      ->check(CLI::PositiveNumber);
+      ->check(above_zero());
   auto heading_deg = std::make_shared<double>(degrees(kRightPose.heading_rad));
   verb->add_option("--within-degrees", *heading_deg, "and of the heading [degrees]")
       ->capture_default_str()
-      ->check(CLI::PositiveNumber);
+      ->check(above_zero());
   verb->callback([options, heading_deg, &exit_code] {
     options->right.heading_rad = radians(*heading_deg);
     exit_code = calibrate(*options);

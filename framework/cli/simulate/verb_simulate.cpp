@@ -13,6 +13,7 @@
 
 #include <opal/common/error.hpp>
 #include <opal/sensing/replay.hpp>
+#include "common/phrases.hpp"
 #include "common/stage_clock.hpp"
 #include "drawing/drawing.hpp"
 #include "evaluation/ground_truth.hpp"
@@ -100,8 +101,8 @@ int simulate_storeys(const SimulateOptions& options, const SemanticMap& map, con
   const sim::Recording recording = sim::record_on_storeys(building, options.world, options.drives, options.damage.seed);
   const StopSignals all_or_none;
   sim::write_recorded_place(recording, map, options.out);
-  fmt::print("{} drives on {} storeys, {} scans\n", recording.queries.size(), map.origin().storeys.size(),
-             recording.scans.size());
+  fmt::print("{} on {}, {} scans\n", count_of(recording.queries.size(), "drive"),
+             count_of(map.origin().storeys.size(), "storey"), recording.scans.size());
   tell_written(options.out);
   return kDone;
 }
@@ -133,8 +134,8 @@ int simulate(SimulateOptions options) {
   for (double distance_m : recording.distances_m) driven_m += distance_m;
   fmt::print("{:.0f} m2 of floor, {} things that a beam can meet, {} people\n", simulation.floor().area_m2(),
              simulation.solids().solids().size(), options.world.people);
-  fmt::print("{} drives, {:.0f} m, {} scans; {} steps in which somebody or something was in the way\n",
-             recording.queries.size(), driven_m, recording.scans.size(), recording.stops);
+  fmt::print("{}, {:.0f} m, {} scans; {} steps in which somebody or something was in the way\n",
+             count_of(recording.queries.size(), "drive"), driven_m, recording.scans.size(), recording.stops);
   fmt::print("{:.0f} % of the beams end before the first mapped surface\n", 100.0 * beams.early / beams.beams());
   fmt::print("CPU {:.2f} s to furnish, {:.2f} s to drive\n", ready_s - start_s, recorded_s - ready_s);
   tell_written(options.out);
@@ -154,7 +155,7 @@ void add_sensing(CLI::App& verb, SimulateOptions& o) {
   add_number(verb, "--beams", o.world.laser.beams, 1, 100000, "of the laser");
   add_number(verb, "--range", o.world.laser.range_max_m, 0.1, 1000.0, "of the laser [m]");
   verb.add_option("--sweep", o.world.laser.sweep_s, "time from the first beam to the last [s] (default: all at once)")
-      ->check(CLI::Range(0.0, 1.0));
+      ->check(in_range(0.0, 1.0));
   add_number(verb, "--mount-x", o.mount_x_m, -10.0, 10.0, "laser before the robot's centre [m]");
   add_number(verb, "--range-sigma", o.world.laser_errors.range_sigma_m, 0.0, 1.0, "of a reading [m]");
   add_number(verb, "--missed", o.world.laser_errors.missed_share, 0.0, 1.0, "share of beams that are lost");

@@ -1,5 +1,6 @@
 #include "localization/tree/hypothesis_set.hpp"
 
+#include "common/phrases.hpp"
 #include "common/place_tolerance.hpp"
 
 #include <fmt/format.h>
@@ -206,8 +207,8 @@ void HypothesisSet::spawn(std::vector<VerifiedCandidate> candidates, const Obser
     }
     Spawned spawned = in_retrospect(live.hypothesis, verdict, observation, tempering_weight, retrospective);
     if (spawned.past.hopeless) {
-      listener_.candidate_rejected(
-          verified, "would be far behind after the " + std::to_string(spawned.past.scans) + " scans before");
+      listener_.candidate_rejected(verified,
+                                   "would be far behind after " + count_of(spawned.past.scans, "earlier scan"));
       continue;
     }
     if (!surplus) surplus = surplus_in_retrospect(observation, tempering_weight, retrospective);

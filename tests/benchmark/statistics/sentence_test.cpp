@@ -135,6 +135,8 @@ TEST_CASE("few sites are named as the scope, and looks in the notes") {
   const Verdict verdict = verdict_on(results(two, 0.4, 1.3), 1, 2);
   CHECK_THAT(verdict.sentence, Contains("Said of these 2 sites only, with their queries taken as independent."));
   CHECK_THAT(verdict.sentence, Contains("99.69 % interval"));
+  CHECK_THAT(verdict_on(results({two[0]}, 0.4, 1.3)).sentence,
+             Contains("Said of this site only, with its queries taken as independent."));
   CHECK_THAT(verdict.notes[0], Contains("This is look 1 of 2"));
 }
 

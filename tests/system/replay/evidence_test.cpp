@@ -18,7 +18,7 @@ class SearchCounter final : public EventSink {
     if (event["event"] == "spawned") ++spawned;
     if (event["event"] != "searched") return;
     for (const auto& rejected : event["rejected"])
-      contradicted += rejected["reason"].get<std::string>().find("scans before") != std::string::npos;
+      contradicted += rejected["reason"].get<std::string>().find("earlier scan") != std::string::npos;
   }
   int spawned = 0, contradicted = 0;
 };
