@@ -168,10 +168,11 @@ std::string StatusEstimator::why_held(double asked, double unmapped_walls_m) con
   if (asked <= options_.localized_weight) return held;
   std::string why;
   if (unmapped_walls_m > options_.localized_unmapped_m)
-    why = fmt::format(", so many since {:.1f} m of straight walls that were seen are not on the map", unmapped_walls_m);
+    why =
+        fmt::format(", so many because {:.1f} m of straight walls that were seen are not on the map", unmapped_walls_m);
   if (agreement_.share() < options_.localized_agreement)
     why += fmt::format(", {} {:.0f} % of the beams that the map speaks about pass through what it has",
-                       why.empty() ? "so many since" : "and", 100 * (1 - agreement_.share()));
+                       why.empty() ? "so many because" : "and", 100 * (1 - agreement_.share()));
   return held + why;
 }
 

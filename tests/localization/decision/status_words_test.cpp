@@ -40,9 +40,10 @@ TEST_CASE("what a place still has to hold for is told with how much has held, an
   CHECK(why_after(3) == "the probability that is asked for has held here for 1.50 of 2.00 pieces of new evidence");
   now.unmapped_walls_m = StatusOptions{}.localized_unmapped_m + 2;
   now.agreement = {0.6, 0.2};
-  CHECK(why_after(1) ==
-        "the probability that is asked for has held here for 2.00 of 4.00 pieces of new evidence, so many since 8.0 m "
-        "of straight walls that were seen are not on the map");
+  CHECK(
+      why_after(1) ==
+      "the probability that is asked for has held here for 2.00 of 4.00 pieces of new evidence, so many because 8.0 m "
+      "of straight walls that were seen are not on the map");
 }
 
 TEST_CASE("a map that explains little is told with the share of beams that pass through what it has") {
@@ -51,12 +52,12 @@ TEST_CASE("a map that explains little is told with the share of beams that pass 
   Answer doubtful, both, elsewhere;
   for (int k = 0; k < 2; ++k) doubtful.to({hypothesis(1, kHere, 20)}, now);
   CHECK_THAT(doubtful.estimator.belief().why,
-             Catch::EndsWith(", so many since 60 % of the beams that the map speaks about pass through what it has"));
+             Catch::EndsWith(", so many because 60 % of the beams that the map speaks about pass through what it has"));
   now.unmapped_walls_m = 20;
   for (int k = 0; k < 2; ++k) both.to({hypothesis(1, kHere, 20)}, now);
   CHECK_THAT(
       both.estimator.belief().why,
-      Catch::Contains(", so many since 20.0 m of straight walls that were seen are not on the map, and 60 % of"));
+      Catch::Contains(", so many because 20.0 m of straight walls that were seen are not on the map, and 60 % of"));
   now.agreement = {0.16, 0.64};
   for (int k = 0; k < 2; ++k) elsewhere.to({hypothesis(1, kHere, 20)}, now);
   CHECK(elsewhere.estimator.belief().why ==
