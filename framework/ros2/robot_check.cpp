@@ -134,6 +134,7 @@ std::string offers_text(const std::vector<Offer>& offers) {
   for (const Offer& offer : offers)
     lines.insert(fmt::format("  {:<28} {:<44} {}\n", offer.topic, offer.type, words_of(offer.quality)));
   std::string text = "on the network\n";
+  if (lines.empty()) text += "  nothing\n";
   for (const std::string& line : lines) text += line;
   return text;
 }

@@ -41,6 +41,11 @@ std::chrono::microseconds in_microseconds(double seconds) {
 
 std::string first_line(const std::string& text) { return text.substr(0, std::min<std::size_t>(text.find('\n'), 300)); }
 
+std::string words_of(httplib::Error error) {
+  if (error == httplib::Error::Connection) return "no program listens there";
+  return "no answer (" + httplib::to_string(error) + ")";
+}
+
 }  // namespace
 
 struct RemoteLocalization::Implementation {
@@ -75,8 +80,7 @@ struct RemoteLocalization::Implementation {
 
 json RemoteLocalization::Implementation::expect_json(const httplib::Result& result, std::size_t most_bytes) const {
   if (!result)
-    throw NoAnswer(address + ": no answer (" + httplib::to_string(result.error()) +
-                   "), expected the program that localizes (opal serve)");
+    throw NoAnswer(address + ": " + words_of(result.error()) + ", expected the program that localizes (opal serve)");
   if (result->status >= 500) throw NoAnswer(address + ": " + first_line(result->body));
   if (result->status == 409) refuse_usurped(*result);
   if (result->status != 200) throw Error(fmt::format("{}: {} {}", address, result->status, first_line(result->body)));
