@@ -173,7 +173,7 @@ void add_map_verb(CLI::App& app, int& exit_code) {
   CLI::App* map = app.add_subcommand(
       "map",
       "semantic maps: import, storeys, stack, check, patterns, derive, frame, overlay, review, damage, join, "
-      "raster, redraw, push, pull, list, diff, generate");
+      "raster, redraw, sketch, push, pull, list, diff, generate");
   map->require_subcommand(1);
   add_map_import(*map, exit_code);
   add_map_storeys(*map, exit_code);
