@@ -31,11 +31,4 @@ std::vector<double> bootstrap(std::span<const std::size_t> cluster_sizes, const 
 /// NaN are not counted. With few clusters it is too narrow: docs/ab_statistics.md has its coverage.
 Interval percentile_interval(std::vector<double> values, double level);
 
-/// Bias-corrected and accelerated (Efron 1987). @param estimate  of the sample. @param jackknife  without each cluster
-/// in turn.
-Interval bca_interval(std::vector<double> values, double estimate, std::span<const double> jackknife, double level);
-
-/// The statistic without each cluster in turn.
-std::vector<double> jackknife(std::span<const std::size_t> cluster_sizes, const Statistic& statistic);
-
 }  // namespace opal::statistics

@@ -2,7 +2,6 @@
 
 #include <boost/math/distributions/beta.hpp>
 #include <boost/math/distributions/binomial.hpp>
-#include <boost/math/distributions/chi_squared.hpp>
 #include <boost/math/distributions/normal.hpp>
 
 #include <algorithm>
@@ -20,11 +19,6 @@ double odds(double probability) {
   return probability >= 1 ? std::numeric_limits<double>::infinity() : probability / (1 - probability);
 }
 
-double chi_square_p(double difference, double discordant) {
-  const double corrected = std::max(0.0, difference - 1);
-  return cdf(complement(boost::math::chi_squared(1), corrected * corrected / discordant));
-}
-
 }  // namespace
 
 double PairedCounts::share_a() const { return share(both + only_a, pairs()); }
@@ -37,7 +31,7 @@ McNemar mcnemar(const PairedCounts& counts) {
   const double fewer = static_cast<double>(std::min(counts.only_a, counts.only_b));
   const boost::math::binomial even(n, 0.5);
   const double exact = 2 * cdf(even, fewer);
-  return {std::min(1.0, exact), exact - pdf(even, fewer), chi_square_p(n - 2 * fewer, n)};
+  return {std::min(1.0, exact), exact - pdf(even, fewer)};
 }
 
 double matched_odds_ratio(const PairedCounts& counts) {

@@ -22,10 +22,9 @@ struct PairedCounts {
 struct McNemar {
   double exact = 1;  ///< binomial
   double mid = 1;    ///< the exact one less half the probability of what was seen (Fagerland, Lydersen & Laake 2013)
-  double chi_square = 1;  ///< with continuity correction; for comparison with other programs
 };
 
-/// All are 1 if no pair differs.
+/// Both are 1 if no pair differs.
 McNemar mcnemar(const PairedCounts& counts);
 
 /// Odds of "only b" against "only a": 0, infinite or, if no pair differs, NaN.

@@ -29,8 +29,7 @@ def mcnemar():
         n = only_a + only_b
         exact = stats.binomtest(min(only_a, only_b), n).pvalue
         mid = 1 if only_a == only_b else exact - stats.binom.pmf(min(only_a, only_b), n, 0.5)
-        chi = 1 if only_a == only_b else stats.chi2.sf((abs(only_a - only_b) - 1) ** 2 / n, 1)
-        expect("McNemar", ["mcnemar", 50, only_a, only_b, 7], [exact, mid, chi])
+        expect("McNemar", ["mcnemar", 50, only_a, only_b, 7], [exact, mid])
         share = stats.binomtest(only_b, n).proportion_ci(0.95, "exact")
         odds = [share.low / (1 - share.low), np.inf if share.high == 1 else share.high / (1 - share.high)]
         expect("matched odds ratio", ["odds_ratio", 50, only_a, only_b, 7, 0.05], odds)
@@ -106,15 +105,8 @@ def clusters():
 
 
 def bootstrap():
-    values, leave_one_out = random.gamma(2, 1, 999), random.gamma(2, 0.1, 9)
+    values = random.gamma(2, 1, 999)
     expect("percentiles", ["percentile", values.tolist(), 0.05], np.quantile(values, [0.025, 0.975]))
-    estimate = float(np.mean(values))
-    bias = stats.norm.ppf(np.mean(values < estimate))
-    off = leave_one_out.mean() - leave_one_out
-    acceleration = np.sum(off ** 3) / (6 * np.sum(off ** 2) ** 1.5)
-    z = bias + stats.norm.ppf([0.025, 0.975])
-    shares = stats.norm.cdf(bias + z / (1 - acceleration * z))
-    expect("BCa", ["bca", values.tolist(), estimate, leave_one_out.tolist(), 0.05], np.quantile(values, shares))
 
 
 def t_power(shift, n, level):

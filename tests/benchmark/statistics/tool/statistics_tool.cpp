@@ -33,7 +33,7 @@ const std::map<std::string, std::function<json(const json&)>> kFunctions{
     {"mcnemar",
      [](const json& in) {
        const McNemar p = mcnemar(counts(in));
-       return json{p.exact, p.mid, p.chi_square};
+       return json{p.exact, p.mid};
      }},
     {"odds_ratio", [](const json& in) { return ends(matched_odds_ratio_interval(counts(in), in[5])); }},
     {"difference", [](const json& in) { return ends(difference_interval(counts(in), in[5])); }},
@@ -47,8 +47,6 @@ const std::map<std::string, std::function<json(const json&)>> kFunctions{
     {"t_interval", [](const json& in) { return ends(cluster_t_interval(clusters(in[1], in[2]), in[3])); }},
     {"sign_flip", [](const json& in) { return json(sign_flip_test(in[1].get<Numbers>())); }},
     {"percentile", [](const json& in) { return ends(percentile_interval(in[1].get<Numbers>(), in[2])); }},
-    {"bca",
-     [](const json& in) { return ends(bca_interval(in[1].get<Numbers>(), in[2], in[3].get<Numbers>(), in[4])); }},
     {"power", [](const json& in) { return json(t_test_power(in[1], in[2], in[3])); }},
     {"units", [](const json& in) { return json(units_for_power(in[1], in[2], in[3])); }},
     {"looks", [](const json& in) { return json(look_levels(in[1], in[2].get<Numbers>())); }}};
