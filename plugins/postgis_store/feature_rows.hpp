@@ -19,7 +19,6 @@ double largest_radius_m(const SemanticMap& map);
 
 /// The columns of a geometry, in the order that geometry_of takes them.
 extern const char* const kGeometryColumns;
-inline constexpr int kGeometryColumnCount = 8;
 /// @param columns  the first one's position in a row. Exact: the numbers that were pushed.
 Geometry geometry_of(const std::vector<std::string>& row, std::size_t columns);
 

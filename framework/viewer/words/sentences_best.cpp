@@ -18,12 +18,6 @@ namespace {
 
 constexpr std::size_t kNamedObjects = 4, kNamedLocals = 8, kFindingsOfBest = 2;
 
-/// A mapped object that the best hypothesis sees, with its nearest association.
-struct SeenObject {
-  std::string name;
-  double off_m = 0;
-};
-
 std::string name_of_object(const RunHeader& header, const RunHeader::Feature& feature) {
   if (!feature.object.exists()) return object_words(feature.type, feature.id, "", false);
   const RunHeader::Object& object = header.object(feature.object);
