@@ -2,7 +2,7 @@
 
 #include "simulation/ray_caster.hpp"
 
-#include <opal/map/semantic_map.hpp>
+#include <opal/map/perceivable_faces.hpp>
 
 #include <vector>
 
@@ -46,10 +46,8 @@ inline double room_m(const RayCaster& solids, const Point& from, const Point& di
 
 /// Faces that one sees, long enough to put something along.
 inline std::vector<Segment> long_faces(const SemanticMap& map, double least_m) {
-  std::vector<Segment> faces;
-  for (const MapFeature& feature : map.features())
-    if (const auto* face = std::get_if<Segment>(&feature.geometry))
-      if (!feature.sensor.empty() && face->length_m() > least_m) faces.push_back(*face);
+  std::vector<Segment> faces = perceivable_faces(map);
+  std::erase_if(faces, [&](const Segment& face) { return face.length_m() <= least_m; });
   return faces;
 }
 
