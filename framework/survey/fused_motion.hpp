@@ -1,13 +1,10 @@
 #pragma once
 
-#include <opal/common/geometry.hpp>
+#include <opal/local_map/local_map.hpp>
 
 #include <Eigen/Core>
 
 namespace opal {
-
-/// A covariance of (x, y, heading) in the axes of another frame.
-Eigen::Matrix3d turned(const Eigen::Matrix3d& covariance, const Pose2& T_to_from);
 
 /// A motion as something measured it.
 struct Motion {
@@ -15,7 +12,13 @@ struct Motion {
   Eigen::Matrix3d covariance;  ///< of (x, y, heading) in the frame before
 };
 
-/// Two measurements of one motion; where they contradict each other, the second is right.
-Motion fused(const Motion& a, const Motion& b);
+/// The motion from one scan to the next.
+struct ScanMotion {
+  Motion matched;  ///< as scan matching tells it
+  Motion fused;    ///< as odometry and scan matching together tell it; as odometry if no match was found
+};
+
+/// Takes the next scan into a local map, without features.
+ScanMotion next_motion(LocalMap& local_map, const Sample& sample, const LocalMapOptions& options);
 
 }  // namespace opal

@@ -3,7 +3,7 @@
 #include <opal/common/error.hpp>
 #include "localization/alignment/registration.hpp"
 
-#include "local_map/local_map_odometry.hpp"
+#include "common/turned_covariance.hpp"
 #include "localization/alignment/pose_step.hpp"
 #include "localization/observation/observation.hpp"
 #include "survey/fused_motion.hpp"
@@ -101,18 +101,12 @@ bool PoseTracker::State::moved_enough(const Pose2& now) const {
 TrackedKeyframe PoseTracker::State::move(const Sample& sample) {
   const Pose2& T_odom_now = sample.T_odom_base;
   if (!started) odometry.start(T_odom_now);
-  const Pose2 T_local_before = local_map.T_local_base();
-  const Pose2 driven = T_local_before.inverse() * local_map.T_local_base_at(odometry.corrected(T_odom_now));
   Sample corrected = sample;
   corrected.T_odom_base = odometry.corrected(T_odom_now);
-  local_map.add(corrected, {});
-  const Motion seen{T_local_before.inverse() * local_map.T_local_base(),
-                    turned(local_map.last_match().covariance, T_local_before.inverse())};
+  const auto [seen, motion] = next_motion(local_map, corrected, parts.local_map);
   matched = {seen.T_before_now, seen.covariance.topLeftCorner<2, 2>()};
   TrackedKeyframe keyframe;
   keyframe.stamp_s = sample.stamp_s;
-  Motion motion{driven, odometry_sigma(driven, parts.local_map).cwiseAbs2().asDiagonal()};
-  if (local_map.last_match().converged) motion = fused(motion, seen);
   keyframe.T_before_now = started ? motion.T_before_now : Pose2();
   keyframe.motion_covariance = motion.covariance;
   keyframe.T_map_base = last.T_map_base * keyframe.T_before_now;
@@ -153,7 +147,8 @@ Pose2 PoseTracker::State::search(const std::vector<Point>& points, const Pose2& 
 
 Eigen::Matrix3d PoseTracker::State::predicted_covariance(const TrackedKeyframe& moved) const {
   constexpr double kLeast_m = 0.03, kLeast_rad = 0.015;
-  Eigen::Matrix3d covariance = horizon.newest_covariance() + turned(moved.motion_covariance, last.T_map_base);
+  Eigen::Matrix3d covariance =
+      horizon.newest_covariance() + turned_covariance(last.T_map_base, moved.motion_covariance);
   covariance.diagonal() += Eigen::Vector3d(kLeast_m, kLeast_m, kLeast_rad).cwiseAbs2();
   return covariance;
 }
@@ -289,7 +284,7 @@ std::optional<TrackedPose> PoseTracker::update(const Sample& recorded) {
   s.track.back().T_map_base = s.last.T_map_base;
   s.horizon.slide(s.belief);
   const Pose2 found = T_map_before.inverse() * s.last.T_map_base;
-  const Eigen::Matrix3d found_covariance = turned(s.last.covariance, T_map_before.inverse());
+  const Eigen::Matrix3d found_covariance = turned_covariance(T_map_before.inverse(), s.last.covariance);
   s.odometry.advance(sample.T_odom_base, s.matched, {found, found_covariance.topLeftCorner<2, 2>()});
   s.T_odom_base = sample.T_odom_base;
   s.started = true;
