@@ -1,9 +1,9 @@
 #include "cli/options/drive_inputs.hpp"
 #include "cli/options/exit_code.hpp"
 #include "cli/options/number_option.hpp"
+#include "cli/options/picture_files.hpp"
 #include "cli/options/verbs.hpp"
 #include "common/text_file.hpp"
-#include "drawing/drawing.hpp"
 #include "fleet/fleet_evidence.hpp"
 #include "learning/deviation_list.hpp"
 #include "session/session.hpp"
@@ -21,7 +21,8 @@ namespace {
 
 struct LearnOptions {
   DriveInputs inputs;
-  std::string out, evidence, csv, png, svg;
+  std::string out, evidence, csv;
+  PictureFiles picture;
   bool is_pushed = false;
   double least_probability = kLeastProbability;
 };
@@ -50,8 +51,7 @@ void draw(const std::shared_ptr<const SemanticMap>& map, const Learned& learned,
             {transformed(Pose2(proposal.moved, 0), feature.geometry), DrawingScene::Perception::matched});
     }
   }
-  if (!options.svg.empty()) write_svg(scene, options.svg);
-  if (!options.png.empty()) write_png(scene, options.png);
+  options.picture.write(scene);
 }
 
 void print(const Learned& learned, double least_probability) {
@@ -130,8 +130,7 @@ void add_learn_verb(CLI::App& app, int& exit_code) {
   verb->add_option("--evidence", options->evidence,
                    "also write what each drive says (.json), to be put together later");
   verb->add_option("--csv", options->csv, "also write a list of deviations by object");
-  verb->add_option("--svg", options->svg, "also draw the map and what differs into this file");
-  verb->add_option("--png", options->png, "the same as a PNG");
+  options->picture.add_to(*verb, "also draw the map and what differs into this file");
   verb->callback([options, &exit_code] { exit_code = learn(*options); });
 }
 

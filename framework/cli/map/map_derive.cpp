@@ -3,7 +3,7 @@
 #include "benchmark/runs/progress_bar.hpp"
 #include "cli/options/exit_code.hpp"
 #include "cli/options/number_option.hpp"
-#include "drawing/drawing.hpp"
+#include "cli/options/picture_files.hpp"
 #include "map/map_file.hpp"
 #include "map_tools/map_raster.hpp"
 #include "session/session.hpp"
@@ -19,7 +19,8 @@ namespace opal::cli {
 namespace {
 
 struct DeriveOptions {
-  std::string map, out, detector, svg, png;
+  std::string map, out, detector;
+  PictureFiles picture;
   std::vector<std::string> words;
   DerivationOptions derivation;
 };
@@ -29,12 +30,9 @@ bool has_doors(const SemanticMap& map) {
 }
 
 void draw(const Derivation& derivation, const DeriveOptions& options) {
-  DrawingScene scene;
-  scene.title = derivation.map->name();
-  scene.map = derivation.map;
+  DrawingScene scene = scene_of(derivation.map);
   scene.notes = {std::to_string(derivation.added.size()) + " features derived by " + options.detector};
-  if (!options.svg.empty()) write_svg(scene, options.svg);
-  if (!options.png.empty()) write_png(scene, options.png);
+  options.picture.write(scene);
 }
 
 int derive(const DeriveOptions& options) {
@@ -89,8 +87,7 @@ void add_map_derive(CLI::App& map, int& exit_code) {
       ->check(in_range(1.0, 100.0))
       ->capture_default_str();
   verb->add_flag("--doors-open", derivation.doors_open, "doors stand open, as if they had no leaf; without it: shut");
-  verb->add_option("--svg", options->svg, "also draw the map into this file");
-  verb->add_option("--png", options->png, "the same as a PNG");
+  options->picture.add_to(*verb);
   verb->callback([options, &exit_code] { exit_code = derive(*options); });
 }
 

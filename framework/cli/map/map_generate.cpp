@@ -1,8 +1,8 @@
 #include "cli/map/map_generate.hpp"
 #include "cli/options/exit_code.hpp"
+#include "cli/options/picture_files.hpp"
 
 #include <opal/common/error.hpp>
-#include "drawing/drawing.hpp"
 #include "map/map_file.hpp"
 
 #include <iostream>
@@ -16,7 +16,8 @@ using simulation::BuildingKind;
 
 struct GenerateOptions {
   simulation::BuildingRequest building;
-  std::string out, svg, png;
+  std::string out;
+  PictureFiles picture;
 };
 
 const BuildingKind* kind_named(const std::string& name) {
@@ -44,11 +45,7 @@ int generate(const GenerateOptions& options) {
   write_map(*building.map, options.out);
   std::cout << "written: " << options.out << ", " << building.map->features().size() << " features of "
             << building.map->objects().size() << " objects\n";
-  DrawingScene scene;
-  scene.title = building.map->name();
-  scene.map = building.map;
-  if (!options.svg.empty()) write_svg(scene, options.svg);
-  if (!options.png.empty()) write_png(scene, options.png);
+  options.picture.write(scene_of(building.map));
   return kDone;
 }
 
@@ -64,8 +61,7 @@ void add_map_generate(CLI::App& map, int& exit_code) {
       ->capture_default_str();
   verb->add_option("--symmetry", options->building.symmetry, "0: all parts differ; 1: all are copies of one")
       ->capture_default_str();
-  verb->add_option("--svg", options->svg, "also draw the map into this file");
-  verb->add_option("--png", options->png, "the same as a PNG");
+  options->picture.add_to(*verb);
   verb->callback([options, verb, &exit_code] {
     refuse_choice(*verb, options->building.kind);
     exit_code = generate(*options);

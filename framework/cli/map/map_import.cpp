@@ -2,6 +2,7 @@
 #include "cli/map/map_derive.hpp"
 #include "cli/map/map_stack.hpp"
 #include "cli/options/exit_code.hpp"
+#include "cli/options/picture_files.hpp"
 
 #include "common/phrases.hpp"
 #include "session/session.hpp"
@@ -9,7 +10,6 @@
 
 #include <opal/common/error.hpp>
 #include "common/text_file.hpp"
-#include "drawing/drawing.hpp"
 #include "map/map_file.hpp"
 
 #include <fmt/format.h>
@@ -22,7 +22,8 @@ namespace opal::cli {
 namespace {
 
 struct ImportOptions {
-  std::string source, out, svg, png, report, config, storey;
+  std::string source, out, report, config, storey;
+  PictureFiles picture;
   std::optional<double> z_m;
   std::vector<std::string> words, detectors;
   double thicken_m = 0;
@@ -60,13 +61,10 @@ void write_report(const MapImport& imported, const std::string& path) {
   write_text(path, is_json ? import_report(imported).dump(1) + '\n' : text_of(imported.report));
 }
 
-void draw(const MapImport& imported, const ImportOptions& options) {
-  DrawingScene scene;
-  scene.title = imported.map->name();
-  scene.map = imported.map;
+void draw(const std::shared_ptr<const SemanticMap>& map, const PictureFiles& picture) {
+  DrawingScene scene = scene_of(map);
   scene.coordinates = true;
-  if (!options.svg.empty()) write_svg(scene, options.svg);
-  if (!options.png.empty()) write_png(scene, options.png);
+  picture.write(scene);
 }
 
 void write_report(const ImportedStoreys& imported, const std::string& path) {
@@ -99,7 +97,7 @@ int import_all(const ImportOptions& options, const PluginRegistry& registry, con
   write_map(*all.map, options.out);
   std::cout << stacked_sentence(options.out, *all.map) << '\n';
   if (!options.report.empty()) write_report(imported, options.report);
-  draw(all, options);
+  draw(all.map, options.picture);
   return kDone;
 }
 
@@ -114,7 +112,7 @@ int import(const ImportOptions& options) {
   write_map(*imported.map, options.out);
   std::cout << text_of(imported.report) << "written: " << options.out << '\n';
   if (!options.report.empty()) write_report(imported, options.report);
-  draw(imported, options);
+  draw(imported.map, options.picture);
   return kDone;
 }
 
@@ -152,8 +150,7 @@ void add_map_import(CLI::App& map, int& exit_code) {
   CLI::App* verb = map.add_subcommand("import", "make a semantic map of a grid, a building model or a drawing");
   verb->add_option("SOURCE", options->source, "what to import")->required();
   verb->add_option("-o,--out", options->out, "map document to write (.jsonld)")->required();
-  verb->add_option("--svg", options->svg, "also draw the map into this file");
-  verb->add_option("--png", options->png, "the same as a PNG");
+  options->picture.add_to(*verb);
   verb->add_option("--report", options->report,
                    "also write the report: thing by thing as JSON (.json), or its sentences");
   CLI::Option* storey =

@@ -1,12 +1,12 @@
 #include "cli/map/map_patterns.hpp"
 #include "cli/options/exit_code.hpp"
 #include "cli/options/number_option.hpp"
+#include "cli/options/picture_files.hpp"
 
 #include "session/session.hpp"
 
 #include <opal/common/error.hpp>
 #include "deployment/pipeline_plan.hpp"
-#include "drawing/drawing.hpp"
 #include "map/map_file.hpp"
 #include "patterns/consuming_template.hpp"
 #include "patterns/pattern_layer.hpp"
@@ -21,7 +21,8 @@ using Templates = std::vector<Named<PatternTemplate>>;
 using Map = std::shared_ptr<const SemanticMap>;
 
 struct PatternsOptions {
-  std::string map, out, svg, png, sensor = "PlanarLidar2D";
+  std::string map, out, sensor = "PlanarLidar2D";
+  PictureFiles picture;
   std::vector<std::string> templates;
   PatternLayerOptions layer;
   bool summary = false;
@@ -72,10 +73,8 @@ void print(const SemanticMap& map, const PatternLayer& layer, bool each) {
   for (const PatternSummary& summary : layer.summaries) std::cout << sentence_of(summary) << '\n';
 }
 
-void draw(const Map& map, const PatternLayer& layer, const PatternsOptions& options) {
-  DrawingScene scene;
-  scene.title = map->name();
-  scene.map = map;
+void draw(const Map& map, const PatternLayer& layer, const PictureFiles& picture) {
+  DrawingScene scene = scene_of(map);
   scene.coordinates = true;
   for (const MapPattern& pattern : layer.patterns) {
     scene.patterns.emplace_back();
@@ -83,8 +82,7 @@ void draw(const Map& map, const PatternLayer& layer, const PatternsOptions& opti
       scene.patterns.back().push_back(anchor_of(map->feature(member).geometry));
   }
   for (const PatternSummary& summary : layer.summaries) scene.notes.push_back(sentence_of(summary));
-  if (!options.svg.empty()) write_svg(scene, options.svg);
-  if (!options.png.empty()) write_png(scene, options.png);
+  picture.write(scene);
 }
 
 int patterns(const PatternsOptions& options) {
@@ -93,7 +91,7 @@ int patterns(const PatternsOptions& options) {
   const MapView view(map, options.sensor);
   const PatternLayer layer = find_pattern_layer(view, chosen_templates(registry, *map, options), options.layer);
   print(*map, layer, !options.summary);
-  draw(map, layer, options);
+  draw(map, layer, options.picture);
   if (!options.out.empty()) {
     write_map(*map->with_patterns(layer.patterns), options.out);
     std::cout << "written: " << options.out << '\n';
@@ -115,8 +113,7 @@ void add_map_patterns(CLI::App& map, int& exit_code) {
       ->check(in_range(0.1, 100.0))
       ->capture_default_str();
   verb->add_option("--sensor", options->sensor, "id of the sensor that perceives them")->capture_default_str();
-  verb->add_option("--svg", options->svg, "also draw map and patterns into this file");
-  verb->add_option("--png", options->png, "the same as a PNG");
+  options->picture.add_to(*verb, "also draw map and patterns into this file");
   verb->add_flag("--summary", options->summary, "say only what holds per template, not of each pattern");
   verb->callback([options, &exit_code] { exit_code = patterns(*options); });
 }

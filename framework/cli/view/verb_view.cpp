@@ -1,5 +1,6 @@
 #include "benchmark/runs/view_page.hpp"
 #include "cli/options/exit_code.hpp"
+#include "cli/options/picture_files.hpp"
 #include "cli/options/verbs.hpp"
 
 #include "viewer/scene/frame_scene.hpp"
@@ -20,7 +21,8 @@ namespace fs = std::filesystem;
 
 struct ViewOptions {
   std::vector<std::string> outs;
-  std::string file, svg, png, at = "end", query;
+  std::string file, at = "end", query;
+  PictureFiles picture;
 };
 
 /// What the page calls a run: its folder, or more of the path if two folders have the same name.
@@ -60,15 +62,14 @@ int draw_moment(const ViewOptions& options) {
     notes.push_back(std::string(name_of(sentence.kind)) + ": " + sentence.text);
   for (const std::string& note : reading.notes) notes.push_back("note: " + note);
   const DrawingScene scene = scene_of(*reading.header, state, notes);
-  if (!options.svg.empty()) write_svg(scene, options.svg);
-  if (!options.png.empty()) write_png(scene, options.png);
-  for (const std::string& file : {options.svg, options.png})
+  options.picture.write(scene);
+  for (const std::string& file : {options.picture.svg, options.picture.png})
     if (!file.empty()) std::cout << "written: " << file << '\n';
   return kDone;
 }
 
 int view(const ViewOptions& options) {
-  if (options.svg.empty() && options.png.empty()) {
+  if (options.picture.svg.empty() && options.picture.png.empty()) {
     if (options.at != "end" || !options.query.empty())
       throw CLI::ValidationError("--at and --query choose the moment of a picture, expected --svg or --png");
     return write_page(options);
@@ -87,8 +88,7 @@ void add_view_verb(CLI::App& app, int& exit_code) {
       ->required()
       ->expected(1, 2);
   verb->add_option("-o,--out", options->file, "file to write (default: OUT/view.html)");
-  verb->add_option("--svg", options->svg, "draw one moment into this file instead");
-  verb->add_option("--png", options->png, "the same as a PNG");
+  options->picture.add_to(*verb, "draw one moment into this file instead");
   verb->add_option("--at", options->at,
                    "which: seconds since the start (12.5), a stamp of the log (stamp:1626.25), or 'end'")
       ->capture_default_str();
