@@ -37,17 +37,9 @@ struct ReviewServer::Implementation {
 
 void ReviewServer::Implementation::configure() {
   constexpr int kThreads = 4;
-  httplib::Server& http = server.http;
-  http.new_task_queue = [] { return new httplib::ThreadPool(kThreads); };
-  http.set_keep_alive_max_count(1);  // an idle browser holds no thread
-  http.set_payload_max_length(kLargestPost);
-  http.set_default_headers(page_headers());
-  http.set_pre_routing_handler([this](const Request& request, Response& response) {
-    using Verdict = httplib::Server::HandlerResponse;
-    return server.refuses(request, response) ? Verdict::Handled : Verdict::Unhandled;
-  });
-  http.Get("/", [this](const Request& request, Response& response) { show(request, response); });
-  http.Post("/decisions", [this](const Request& request, Response& response) { take(request, response); });
+  server.guard_pages(kThreads, kLargestPost);
+  server.http.Get("/", [this](const Request& request, Response& response) { show(request, response); });
+  server.http.Post("/decisions", [this](const Request& request, Response& response) { take(request, response); });
 }
 
 void ReviewServer::Implementation::show(const Request& request, Response& response) {

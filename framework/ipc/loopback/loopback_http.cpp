@@ -27,6 +27,18 @@ int bound_port(httplib::Server& server, int port, const std::string& advice) {
   return port;
 }
 
+/// Of a page and of all that it gets: it may run what stands in it and talk to this server, nothing else; nobody may
+/// frame it, and nothing is kept.
+httplib::Headers page_headers() {
+  return {{"Content-Security-Policy",
+           "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src data: blob:; "
+           "connect-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'"},
+          {"X-Content-Type-Options", "nosniff"},
+          {"Cross-Origin-Resource-Policy", "same-origin"},
+          {"Referrer-Policy", "no-referrer"},
+          {"Cache-Control", "no-store"}};
+}
+
 }  // namespace
 
 bool is_from_here(const httplib::Request& request, int port) {
@@ -39,16 +51,6 @@ bool is_from_here(const httplib::Request& request, int port) {
   return false;
 }
 
-httplib::Headers page_headers() {
-  return {{"Content-Security-Policy",
-           "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src data: blob:; "
-           "connect-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'"},
-          {"X-Content-Type-Options", "nosniff"},
-          {"Cross-Origin-Resource-Policy", "same-origin"},
-          {"Referrer-Policy", "no-referrer"},
-          {"Cache-Control", "no-store"}};
-}
-
 std::string run_token() {
   std::random_device device;
   return fmt::format("{}-{}", device(), device());
@@ -57,6 +59,23 @@ std::string run_token() {
 void answer(httplib::Response& response, int status, const std::string& sentence) {
   response.status = status;
   response.set_content(sentence + "\n", "text/plain; charset=utf-8");
+}
+
+void LoopbackServer::guard(std::size_t threads, std::size_t most_bytes, Refusal also) {
+  using Verdict = httplib::Server::HandlerResponse;
+  http.new_task_queue = [threads] { return new httplib::ThreadPool(threads); };
+  http.set_payload_max_length(most_bytes);
+  http.set_pre_routing_handler([this, also](const httplib::Request& request, httplib::Response& response) {
+    if (is_from_here(request, port_)) return also && also(request, response) ? Verdict::Handled : Verdict::Unhandled;
+    answer(response, 403, fmt::format("This server answers to {}:{} only.", kLoopback, port_));
+    return Verdict::Handled;
+  });
+}
+
+void LoopbackServer::guard_pages(std::size_t threads, std::size_t most_bytes, Refusal also) {
+  guard(threads, most_bytes, std::move(also));
+  http.set_keep_alive_max_count(1);
+  http.set_default_headers(page_headers());
 }
 
 void LoopbackServer::listen(int port, const std::string& advice) {
@@ -69,12 +88,6 @@ void LoopbackServer::listen(int port, const std::string& advice) {
 void LoopbackServer::stop() {
   http.stop();
   thread_.join();
-}
-
-bool LoopbackServer::refuses(const httplib::Request& request, httplib::Response& response) const {
-  if (is_from_here(request, port_)) return false;
-  answer(response, 403, fmt::format("This server answers to {}:{} only.", kLoopback, port_));
-  return true;
 }
 
 }  // namespace opal

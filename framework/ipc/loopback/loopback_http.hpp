@@ -2,6 +2,7 @@
 
 #include <httplib.h>
 
+#include <functional>
 #include <string>
 #include <thread>
 
@@ -13,10 +14,6 @@ constexpr const char* kLoopback = "127.0.0.1";
 /// Whether a request names this machine and does not come from a web page elsewhere, which may have its own
 /// name point here (DNS rebinding).
 bool is_from_here(const httplib::Request& request, int port);
-
-/// Headers of a page and of all that it gets: it may run what stands in it and talk to this server, nothing else;
-/// nobody may frame it, and nothing is kept.
-httplib::Headers page_headers();
 
 /// Tells the runs of a server apart.
 std::string run_token();
@@ -31,16 +28,21 @@ class LoopbackServer {
   LoopbackServer(const LoopbackServer&) = delete;
   LoopbackServer& operator=(const LoopbackServer&) = delete;
 
+  /// Answers a request that it does not like. @return whether it was one.
+  using Refusal = std::function<bool(const httplib::Request&, httplib::Response&)>;
+
   httplib::Server http;  ///< what it answers; to be said before `listen`
+
+  /// Refuses what is too large, what is not from here, and what `also` refuses; to be said before `listen`.
+  void guard(std::size_t threads, std::size_t most_bytes, Refusal also = {});
+  /// The same for a server of pages: an idle browser holds no thread.
+  void guard_pages(std::size_t threads, std::size_t most_bytes, Refusal also = {});
 
   /// @param port  0: any free one. @param advice  what to do if it cannot be had, for the message.
   /// @throws Error if it cannot be had.
   void listen(int port, const std::string& advice);
   void stop();  ///< after `listen`
   int port() const { return port_; }
-
-  /// Answers a request that is not from here. @return whether it was one.
-  bool refuses(const httplib::Request& request, httplib::Response& response) const;
 
  private:
   int port_ = 0;

@@ -16,7 +16,6 @@ using namespace std::chrono_literals;
 using httplib::Request;
 using httplib::Response;
 using nlohmann::json;
-using Verdict = httplib::Server::HandlerResponse;
 
 constexpr const char* kJson = "application/json";
 constexpr auto kPatience = 2s;  ///< with a peer that does not go on
@@ -28,6 +27,20 @@ json parsed(const Request& request) {
   return parse_json(request.body, request.path, limits);
 }
 
+/// Answers what is not of this protocol. A page of some web site can send plain text here without asking; JSON it
+/// cannot.
+bool refuse_foreign(const Request& request, Response& response) {
+  if (!request.path.starts_with("/v1/")) {
+    answer(response, 404,
+           request.path.substr(0, 80) + ": unknown, this program speaks version 1: /v1/map, /v1/begin, /v1/scans");
+    return true;
+  }
+  const std::string type = request.get_header_value("Content-Type");
+  if (request.method != "POST" || type == kJson) return false;
+  answer(response, 415, "Content-Type: '" + type.substr(0, 80) + "', expected " + kJson);
+  return true;
+}
+
 }  // namespace
 
 struct LocalizationServer::Implementation {
@@ -36,7 +49,6 @@ struct LocalizationServer::Implementation {
         drives(std::move(make)) {}
 
   void configure();
-  Verdict refuse_strangers(const Request& request, Response& response) const;
   void answer_scan(const Request& request, Response& response);
   void answer_trouble(Response& response, const std::exception_ptr& trouble) const;
 
@@ -48,15 +60,12 @@ struct LocalizationServer::Implementation {
 void LocalizationServer::Implementation::configure() {
   constexpr int kThreads = 16;  // a peer that is silent holds one for as long as kPatience
   httplib::Server& http = server.http;
-  http.new_task_queue = [] { return new httplib::ThreadPool(kThreads); };
-  http.set_payload_max_length(kMostBytes);
+  server.guard(kThreads, kMostBytes, refuse_foreign);
   http.set_read_timeout(kPatience);
   http.set_write_timeout(kPatience);
   http.set_keep_alive_timeout(5);
   http.set_keep_alive_max_count(1'000'000);
   http.set_tcp_nodelay(true);
-  http.set_pre_routing_handler(
-      [this](const Request& request, Response& response) { return refuse_strangers(request, response); });
   http.set_exception_handler([this](const Request&, Response& response, const std::exception_ptr& trouble) {
     answer_trouble(response, trouble);
   });
@@ -72,23 +81,6 @@ void LocalizationServer::Implementation::answer_scan(const Request& request, Res
   if (said) return response.set_content(to_json(*said).dump(), kJson);
   response.set_header("Opal-Run", drives.run());
   answer(response, 409, "scan: /session: it is not the drive that was begun last, expected a begin first");
-}
-
-/// A page of some web site can send plain text here without asking; JSON it cannot.
-Verdict LocalizationServer::Implementation::refuse_strangers(const Request& request, Response& response) const {
-  if (server.refuses(request, response)) return Verdict::Handled;
-  if (!request.path.starts_with("/v1/")) {
-    answer(response, 404,
-           request.path.substr(0, 80) + ": unknown, this program speaks version 1: /v1/map, /v1/begin, /v1/scans");
-    return Verdict::Handled;
-  }
-  if (request.method == "POST" && request.get_header_value("Content-Type") != kJson) {
-    answer(response, 415,
-           std::string("Content-Type: '") + request.get_header_value("Content-Type").substr(0, 80) + "', expected " +
-               kJson);
-    return Verdict::Handled;
-  }
-  return Verdict::Unhandled;
 }
 
 void LocalizationServer::Implementation::answer_trouble(Response& response, const std::exception_ptr& trouble) const {

@@ -23,7 +23,6 @@ struct LiveServer::Implementation {
 
   void configure();
   void stop();
-  httplib::Server::HandlerResponse refuse_strangers(const Request& request, Response& response) const;
   void open_stream(const Request& request, Response& response);
   std::size_t resume_position(const std::string& last_event_id) const;
   bool write_next(std::size_t& position, httplib::DataSink& sink) const;
@@ -39,12 +38,11 @@ struct LiveServer::Implementation {
 void LiveServer::Implementation::configure() {
   constexpr int kThreadsForPages = 4;
   httplib::Server& http = server.http;
-  http.new_task_queue = [] { return new httplib::ThreadPool(kMostStreams + kThreadsForPages); };
-  http.set_keep_alive_max_count(1);  // an idle browser holds no thread
-  http.set_payload_max_length(1024);
-  http.set_default_headers(page_headers());
-  http.set_pre_routing_handler(
-      [this](const Request& request, Response& response) { return refuse_strangers(request, response); });
+  server.guard_pages(kMostStreams + kThreadsForPages, 1024, [](const Request& request, Response& response) {
+    if (request.method == "GET") return false;
+    answer(response, 405, "This server only shows.");
+    return true;
+  });
   http.Get("/", [this](const Request&, Response& response) { response.set_content(page, "text/html; charset=utf-8"); });
   http.Get("/events", [this](const Request& request, Response& response) { open_stream(request, response); });
 }
@@ -52,17 +50,6 @@ void LiveServer::Implementation::configure() {
 void LiveServer::Implementation::stop() {
   stopping.request_stop();
   server.stop();
-}
-
-httplib::Server::HandlerResponse LiveServer::Implementation::refuse_strangers(const Request& request,
-                                                                              Response& response) const {
-  using Verdict = httplib::Server::HandlerResponse;
-  if (server.refuses(request, response)) return Verdict::Handled;
-  if (request.method != "GET") {
-    answer(response, 405, "This server only shows.");
-    return Verdict::Handled;
-  }
-  return Verdict::Unhandled;
 }
 
 void LiveServer::Implementation::open_stream(const Request& request, Response& response) {
