@@ -1,11 +1,11 @@
 #include <opal/import_kit/plan_import.hpp>
 
 #include "map/check/map_check.hpp"
+#include "map/semantic_map_draft.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <sstream>
 #include <unordered_map>
 
@@ -46,32 +46,6 @@ void explain(const PlanOutcome& outcome, ImportedElement& element) {
   }
 }
 
-bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
-
-/// Of the number that begins at a place, without leading zeros.
-std::string number_at(const std::string& text, std::size_t& at) {
-  std::string digits;
-  for (; at < text.size() && is_digit(text[at]); ++at)
-    if (!digits.empty() || text[at] != '0') digits += text[at];
-  return digits;
-}
-
-bool before(const std::string& a, const std::string& b) {
-  std::size_t i = 0, k = 0;
-  while (i < a.size() && k < b.size()) {
-    if (is_digit(a[i]) && is_digit(b[k])) {
-      const std::string x = number_at(a, i), y = number_at(b, k);
-      if (x != y) return x.size() != y.size() ? x.size() < y.size() : x < y;
-    } else if (a[i] != b[k]) {
-      return a[i] < b[k];
-    } else {
-      ++i;
-      ++k;
-    }
-  }
-  return a.size() - i != b.size() - k ? i == a.size() : a < b;
-}
-
 }  // namespace
 
 PlanImportOptions::PlanImportOptions(const nlohmann::json& options, const std::map<std::string, std::string>& defaults)
@@ -100,7 +74,7 @@ void report_outcomes(const std::vector<PlanElement>& plan, const PlanAssembly& a
 
 void sort_by_id(std::vector<ImportedElement>& elements) {
   std::stable_sort(elements.begin(), elements.end(),
-                   [](const ImportedElement& a, const ImportedElement& b) { return before(a.id, b.id); });
+                   [](const ImportedElement& a, const ImportedElement& b) { return id_before(a.id, b.id); });
 }
 
 std::string extent_sentence(const SemanticMap& map) {

@@ -134,17 +134,12 @@ void list_features(MapDraft& draft) {
 
 bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
 
-/// The digits at `begin`, without leading zeros.
-std::string_view number_at(const std::string& text, std::size_t begin) {
-  while (begin + 1 < text.size() && text[begin] == '0' && is_digit(text[begin + 1])) ++begin;
-  std::size_t end = begin;
-  while (end < text.size() && is_digit(text[end])) ++end;
-  return std::string_view(text).substr(begin, end - begin);
-}
-
-std::size_t end_of_number(const std::string& text, std::size_t begin) {
-  while (begin < text.size() && is_digit(text[begin])) ++begin;
-  return begin;
+/// The number that begins at a place, without leading zeros; leads behind it.
+std::string_view number_at(const std::string& text, std::size_t& at) {
+  while (at < text.size() && text[at] == '0') ++at;
+  const std::size_t begin = at;
+  while (at < text.size() && is_digit(text[at])) ++at;
+  return std::string_view(text).substr(begin, at - begin);
 }
 
 }  // namespace
@@ -160,8 +155,6 @@ bool id_before(const std::string& a, const std::string& b) {
       const std::string_view number_a = number_at(a, i), number_b = number_at(b, k);
       if (number_a.size() != number_b.size()) return number_a.size() < number_b.size();
       if (number_a != number_b) return number_a < number_b;
-      i = end_of_number(a, i);
-      k = end_of_number(b, k);
     } else if (a[i] != b[k]) {
       return static_cast<unsigned char>(a[i]) < static_cast<unsigned char>(b[k]);
     } else {

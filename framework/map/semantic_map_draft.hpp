@@ -39,7 +39,7 @@ void name_everything(MapDraft& draft);
 /// Objects, features and patterns in natural order of id, references renumbered. Expects references in range.
 void sort_by_id(MapDraft& draft);
 /// Natural order, in which numbers inside names count as numbers: "wall-2" before "wall-10".
-bool id_before(const std::string& a, const std::string& b);
+OPAL_EXPORT bool id_before(const std::string& a, const std::string& b);
 
 /// Adds nodes to `unused`; what is said of one node stands in one place, and once.
 void add_unused(nlohmann::json& unused, const nlohmann::json& more);
