@@ -8,6 +8,7 @@
 #include "map/check/map_check_geometry.hpp"
 
 #include <opal/common/error.hpp>
+#include <opal/import_kit/oriented_corner.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -270,10 +271,7 @@ class Assembly {
       if (std::min(a.length_m(), b.length_m()) < arm_m ||
           std::abs(cross(a.direction(), b.direction())) < kMinCornerSine)
         continue;
-      // Open to view is what lies counter-clockwise from the way on, up to the way back.
-      const double opening_rad = std::numbers::pi - wrap_angle(b.heading_rad() - a.heading_rad());
-      objects.add_corner(std::min(before.element, after.element), after.from,
-                         {b.begin, wrap_angle(b.heading_rad() + opening_rad / 2), opening_rad});
+      objects.add_corner(std::min(before.element, after.element), after.from, oriented_corner(a, b));
       ++result_.tally.corners;
     }
   }

@@ -1,5 +1,7 @@
 #include "map_assembly.hpp"
 
+#include <opal/import_kit/oriented_corner.hpp>
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -150,13 +152,6 @@ class Assembly {
 };
 
 }  // namespace
-
-OrientedPoint oriented_corner(const Segment& before, const Segment& after) {
-  // Open to view is what lies counter-clockwise from the way on, up to the way back.
-  const double turn_rad = wrap_angle(after.heading_rad() - before.heading_rad());
-  const double opening_rad = std::numbers::pi - turn_rad;
-  return {after.begin, wrap_angle(after.heading_rad() + opening_rad / 2), opening_rad};
-}
 
 std::shared_ptr<const SemanticMap> assemble(const std::string& name, const VectorMap& vectors,
                                             const OccupancyGrid& grid, double smear_m) {

@@ -14,7 +14,4 @@ namespace opal::grid_importer {
 std::shared_ptr<const SemanticMap> assemble(const std::string& name, const VectorMap& vectors,
                                             const OccupancyGrid& grid, double smear_m);
 
-/// The angle open to view at a corner of two faces, which go along the surface with free space on their left.
-OrientedPoint oriented_corner(const Segment& before, const Segment& after);
-
 }  // namespace opal::grid_importer

@@ -1,5 +1,7 @@
 #include "map_assembly.hpp"
 
+#include <opal/import_kit/oriented_corner.hpp>
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -22,13 +24,6 @@ constexpr double kFolded_rad = 3.04;     // the edge of a sheet, of 6 degrees, i
 constexpr double kStraight_rad = 0.02;
 // Of a round column in a wall, that much must be visible to be one.
 constexpr double kLeastCircle = 0.5;
-
-OrientedPoint oriented_corner(const Segment& before, const Segment& after) {
-  // Open to view is what lies counter-clockwise from the way on, up to the way back.
-  const double turn_rad = wrap_angle(after.heading_rad() - before.heading_rad());
-  const double opening_rad = std::numbers::pi - turn_rad;
-  return {after.begin, wrap_angle(after.heading_rad() + opening_rad / 2), opening_rad};
-}
 
 class Assembly {
  public:
