@@ -23,13 +23,13 @@ struct Measure {
 
 const std::vector<Measure>& measures() {
   static const std::vector<Measure> all{
-      {"distance ML m", [](const Run& r) { return r.right_after_m; }, 1},
-      {"self-rep. distance m", [](const Run& r) { return r.localized_after_m; }, 1},
-      {"ML error after m", [](const Run& r) { return r.error_m; }, 2},
-      {"max hyp. before", [](const Run& r) { return r.hypotheses_before; }, 0},
+      {"distance ML m", &Run::right_after_m, 1},
+      {"self-rep. distance m", &Run::localized_after_m, 1},
+      {"ML error after m", &Run::error_m, 2},
+      {"max hyp. before", &Run::hypotheses_before, 0},
       {"max hyp. after",
        [](const Run& r) { return r.localized_after_m ? std::optional<double>(r.hypotheses_after) : std::nullopt; }, 0},
-      {"CPU ms per update", [](const Run& r) { return r.cpu_ms; }, 2}};
+      {"CPU ms per update", &Run::cpu_ms, 2}};
   return all;
 }
 
@@ -39,7 +39,7 @@ struct Share {
 };
 
 const std::vector<Share>& shares() {
-  static const std::vector<Share> all{{"successful", [](const Run& r) { return r.success; }},
+  static const std::vector<Share> all{{"successful", &Run::success},
                                       {"self-reported", [](const Run& r) { return r.localized_after_m.has_value(); }},
                                       {"falsely so", [](const Run& r) { return r.false_rows > 0; }}};
   return all;
@@ -52,11 +52,6 @@ std::vector<double> known(const Runs& runs, const Measure& measure) {
   return all;
 }
 
-Runs of(std::span<const Run> runs, const std::string& contender, const std::string& challenge = "") {
-  return those(
-      runs, [&](const Run& r) { return r.contender == contender && (challenge.empty() || r.challenge == challenge); });
-}
-
 std::string about_all(const Runs& all) {
   long rows = 0, wrong = 0;
   for (const Run* run : all) rows += run->localized_rows, wrong += run->false_rows;
@@ -67,11 +62,11 @@ std::string about_all(const Runs& all) {
 
 ThesisTable::Block block_of(std::span<const Run> runs, const std::string& contender,
                             const std::vector<std::string>& challenges) {
-  ThesisTable::Block block{contender, {}, about_all(of(runs, contender))};
+  ThesisTable::Block block{contender, {}, about_all(those_of(runs, contender, &Run::challenge))};
   const auto row = [&](const char* name, const std::function<std::string(const Runs&)>& cell) {
     block.rows.push_back({name, {}});
     for (const std::string& challenge : challenges)
-      block.rows.back().cells.push_back(cell(of(runs, contender, challenge)));
+      block.rows.back().cells.push_back(cell(those_of(runs, contender, &Run::challenge, challenge)));
   };
   for (const Share& share : shares())
     row(share.name, [&](const Runs& r) { return share_of(count(r, share.holds), r.size()); });
@@ -103,13 +98,7 @@ ThesisTable challenge_table(std::span<const Run> runs) {
 }
 
 nlohmann::ordered_json challenge_summary(std::span<const Run> runs) {
-  nlohmann::ordered_json summary;
-  for (const std::string& contender : names(runs, &Run::contender)) {
-    summary[contender]["all"] = summary_of(of(runs, contender));
-    for (const std::string& challenge : names(runs, &Run::challenge))
-      summary[contender][challenge] = summary_of(of(runs, contender, challenge));
-  }
-  return summary;
+  return summary_by(runs, &Run::challenge, [](const Runs& some, const std::string&) { return summary_of(some); });
 }
 
 void write_runs(std::ostream& out, std::span<const Run> runs) {

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <functional>
 #include <map>
+#include <numeric>
 #include <ostream>
 
 namespace opal::experiments {
@@ -25,35 +26,30 @@ struct Measure {
 
 double reached_after_s(const Run& run) { return run.reached ? run.time_s : kNever; }
 
+double places_after_inspection(const Run& run) {
+  return run.places_after_inspection < 0 ? kNever : run.places_after_inspection;
+}
+
 /// What has a median and an interval.
 const std::vector<Measure>& measures() {
-  static const std::vector<Measure> all{
-      {"total_s", reached_after_s},
-      {"driven_m", [](const Run& r) { return r.driven_m; }},
-      {"first_correct_pattern_s", [](const Run& r) { return r.right_after_s; }},
-      {"localized_after_s", [](const Run& r) { return r.localized_after_s; }},
-      {"localized_after_m", [](const Run& r) { return r.localized_after_m; }},
-      {"wrong_pattern_starts", [](const Run& r) { return r.wrong_starts; }},
-      {"places_after_inspection",
-       [](const Run& r) { return r.places_after_inspection < 0 ? kNever : r.places_after_inspection; }},
-      {"places_after_arrival", [](const Run& r) { return r.places_at_end; }},
-      {"recoveries", [](const Run& r) { return r.recoveries; }},
-      {"collisions", [](const Run& r) { return r.collisions; }}};
+  static const std::vector<Measure> all{{"total_s", reached_after_s},
+                                        {"driven_m", &Run::driven_m},
+                                        {"first_correct_pattern_s", &Run::right_after_s},
+                                        {"localized_after_s", &Run::localized_after_s},
+                                        {"localized_after_m", &Run::localized_after_m},
+                                        {"wrong_pattern_starts", &Run::wrong_starts},
+                                        {"places_after_inspection", places_after_inspection},
+                                        {"places_after_arrival", &Run::places_at_end},
+                                        {"recoveries", &Run::recoveries},
+                                        {"collisions", &Run::collisions}};
   return all;
 }
 
-bool reached(const Run& run) { return run.reached; }
 bool touched(const Run& run) { return run.collisions > 0; }
 bool misled(const Run& run) { return run.false_scans > 0; }
 
-Runs of(std::span<const Run> runs, const std::string& contender, const std::string& task = "") {
-  return those(runs, [&](const Run& r) { return r.contender == contender && (task.empty() || r.task == task); });
-}
-
 double mean(const std::vector<double>& all) {
-  double sum = 0;
-  for (const double value : all) sum += value;
-  return sum / static_cast<double>(all.size());
+  return std::accumulate(all.begin(), all.end(), 0.0) / static_cast<double>(all.size());
 }
 
 /// "L 14, C 6"
@@ -69,8 +65,8 @@ std::string circles_of(const Runs& runs) {
   Runs right = runs;
   std::erase_if(right, [](const Run* run) { return run->right_after_s == kNever; });
   if (right.empty()) return "-";
-  return number(median(values(right, [](const Run& r) { return r.circles; })), 0) + "(" +
-         number(median(values(right, [](const Run& r) { return r.candidates; })), 0) + ")";
+  return number(median(values(right, &Run::circles)), 0) + "(" + number(median(values(right, &Run::candidates)), 0) +
+         ")";
 }
 
 double published_total_s(const std::string& task) {
@@ -80,16 +76,16 @@ double published_total_s(const std::string& task) {
 }
 
 std::string about_all(std::span<const Run> runs, const std::string& contender) {
-  const Runs all = of(runs, contender);
+  const Runs all = those_of(runs, contender, &Run::task);
   int faster = 0, compared = 0;
   for (const std::string& task : names(runs, &Run::task)) {
     if (!std::isfinite(published_total_s(task))) continue;
     ++compared;
-    faster += median(values(of(runs, contender, task), reached_after_s)) < published_total_s(task);
+    faster += median(values(those_of(runs, contender, &Run::task, task), reached_after_s)) < published_total_s(task);
   }
   int steps = 0, scans = 0, wrong = 0;
   for (const Run* run : all) steps += run->collisions, scans += run->localized_scans, wrong += run->false_scans;
-  return "reached " + share_text(count(all, reached), all.size()) + "; touched something in " +
+  return "reached " + share_text(count(all, &Run::reached), all.size()) + "; touched something in " +
          share_text(count(all, touched), all.size()) + ", " + std::to_string(steps) +
          " steps; said localized and was wrong at some time in " + share_text(count(all, misled), all.size()) + ", " +
          std::to_string(wrong) + " of " + std::to_string(scans) + " scans; median time below the published one in " +
@@ -101,29 +97,25 @@ ThesisTable::Block block_of(std::span<const Run> runs, const std::string& conten
   ThesisTable::Block block{contender, {}, about_all(runs, contender)};
   const auto row = [&](const char* name, const std::function<std::string(const Runs&)>& cell) {
     block.rows.push_back({name, {}});
-    for (const std::string& task : tasks) block.rows.back().cells.push_back(cell(of(runs, contender, task)));
+    for (const std::string& task : tasks)
+      block.rows.back().cells.push_back(cell(those_of(runs, contender, &Run::task, task)));
   };
   const auto middle = [](const Runs& r, const auto& value) { return median(values(r, value)); };
-  row("success", [](const Runs& r) { return share_of(count(r, reached), r.size()); });
+  row("success", [](const Runs& r) { return share_of(count(r, &Run::reached), r.size()); });
   row("pattern type", patterns_of);
   row("total time", [&](const Runs& r) { return minutes(middle(r, reached_after_s)); });
   row("95 %", [](const Runs& r) {
     const Interval within = median_interval(values(r, reached_after_s));
     return minutes(within.low) + "-" + minutes(within.high);
   });
-  row("wrong pattern starts",
-      [](const Runs& r) { return number(mean(values(r, [](const Run& x) { return x.wrong_starts; })), 2); });
-  row("first correct pattern",
-      [&](const Runs& r) { return minutes(middle(r, [](const Run& x) { return x.right_after_s; })); });
+  row("wrong pattern starts", [](const Runs& r) { return number(mean(values(r, &Run::wrong_starts)), 2); });
+  row("first correct pattern", [&](const Runs& r) { return minutes(middle(r, &Run::right_after_s)); });
   row("circles in local map", circles_of);
-  row("places after inspection", [&](const Runs& r) { return number(middle(r, measures()[6].of), 0); });
-  row("places after arrival",
-      [&](const Runs& r) { return number(middle(r, [](const Run& x) { return x.places_at_end; }), 0); });
-  row("recoveries",
-      [](const Runs& r) { return number(mean(values(r, [](const Run& x) { return x.recoveries; })), 2); });
-  row("localized after",
-      [&](const Runs& r) { return minutes(middle(r, [](const Run& x) { return x.localized_after_s; })); });
-  row("driven m", [&](const Runs& r) { return number(middle(r, [](const Run& x) { return x.driven_m; }), 1); });
+  row("places after inspection", [&](const Runs& r) { return number(middle(r, places_after_inspection), 0); });
+  row("places after arrival", [&](const Runs& r) { return number(middle(r, &Run::places_at_end), 0); });
+  row("recoveries", [](const Runs& r) { return number(mean(values(r, &Run::recoveries)), 2); });
+  row("localized after", [&](const Runs& r) { return minutes(middle(r, &Run::localized_after_s)); });
+  row("driven m", [&](const Runs& r) { return number(middle(r, &Run::driven_m), 1); });
   row("touched something", [](const Runs& r) { return share_of(count(r, touched), r.size()); });
   row("falsely localized", [](const Runs& r) { return share_of(count(r, misled), r.size()); });
   return block;
@@ -132,10 +124,10 @@ ThesisTable::Block block_of(std::span<const Run> runs, const std::string& conten
 nlohmann::ordered_json summary_of(const Runs& runs, const std::string& task) {
   nlohmann::ordered_json summary = {{"runs", runs.size()},
                                     {"published_total_s", number_or_null(published_total_s(task))}};
-  const auto share = [&](const char* name, bool (*holds)(const Run&)) {
+  const auto share = [&](const char* name, const auto& holds) {
     summary[name] = share_json(count(runs, holds), runs.size());
   };
-  share("reached", reached);
+  share("reached", &Run::reached);
   share("touched_something", touched);
   share("falsely_localized", misled);
   for (const Measure& measure : measures()) summary[measure.name] = median_json(values(runs, measure.of));
@@ -152,15 +144,7 @@ ThesisTable goal_table(std::span<const Run> runs) {
   return table;
 }
 
-nlohmann::ordered_json goal_summary(std::span<const Run> runs) {
-  nlohmann::ordered_json summary;
-  for (const std::string& contender : names(runs, &Run::contender)) {
-    summary[contender]["all"] = summary_of(of(runs, contender), "");
-    for (const std::string& task : names(runs, &Run::task))
-      summary[contender][task] = summary_of(of(runs, contender, task), task);
-  }
-  return summary;
-}
+nlohmann::ordered_json goal_summary(std::span<const Run> runs) { return summary_by(runs, &Run::task, summary_of); }
 
 void write_runs(std::ostream& out, std::span<const Run> runs) {
   out << "contender,task,seed,reached,said_so,time_s,driven_m,off_goal_m,collisions,scans,localized_scans,"

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
@@ -25,15 +26,23 @@ std::vector<const Run*> those(std::span<const Run> runs, const Holds& holds) {
   return chosen;
 }
 
+/// Those of a contender in one column of the thesis' table; in all if the column is "".
+template <class Run>
+std::vector<const Run*> those_of(std::span<const Run> runs, const std::string& contender, std::string Run::*column,
+                                 const std::string& name = "") {
+  return those(runs, [&](const Run& r) { return r.contender == contender && (name.empty() || r.*column == name); });
+}
+
 template <class Run, class Holds>
 int count(const std::vector<const Run*>& runs, const Holds& holds) {
-  return static_cast<int>(std::count_if(runs.begin(), runs.end(), [&](const Run* run) { return holds(*run); }));
+  return static_cast<int>(
+      std::count_if(runs.begin(), runs.end(), [&](const Run* run) { return std::invoke(holds, *run); }));
 }
 
 template <class Run, class Value>
 std::vector<double> values(const std::vector<const Run*>& runs, const Value& value) {
   std::vector<double> all;
-  for (const Run* run : runs) all.push_back(static_cast<double>(value(*run)));
+  for (const Run* run : runs) all.push_back(static_cast<double>(std::invoke(value, *run)));
   return all;
 }
 
