@@ -1,8 +1,8 @@
 #include "common/csv_table.hpp"
 
 #include <opal/common/error.hpp>
+#include <opal/common/number_text.hpp>
 
-#include <charconv>
 #include <cmath>
 
 namespace opal {
@@ -61,12 +61,10 @@ bool CsvTable::next() {
 const std::string& CsvTable::text(const std::string& column) const { return fields_[columns_.at(column)]; }
 
 double CsvTable::number(const std::string& column, double minimum, double maximum) const {
-  const std::string& digits = text(column);
-  double value = 0;
-  const auto [end, fault] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-  if (fault != std::errc() || end != digits.data() + digits.size() || !(value >= minimum && value <= maximum))
+  const auto value = parse_number<double>(text(column));
+  if (!value || !(*value >= minimum && *value <= maximum))
     refuse(column, "a number from " + std::to_string(minimum) + " to " + std::to_string(maximum));
-  return value;
+  return *value;
 }
 
 void CsvTable::refuse(const std::string& column, const std::string& expected) const {

@@ -1,9 +1,9 @@
 #include "deployment/store_source.hpp"
 
 #include <opal/common/error.hpp>
+#include <opal/common/number_text.hpp>
 
 #include <algorithm>
-#include <charconv>
 #include <string_view>
 
 namespace opal {
@@ -17,11 +17,10 @@ bool is_number(std::string_view text) {
 }
 
 int version_of(std::string_view digits, const std::string& source) {
-  int version = 0;
-  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), version);
-  if (error != std::errc{} || end != digits.data() + digits.size() || version < 1)
+  const auto version = parse_number<int>(digits);
+  if (!version || *version < 1)
     throw ConfigError(source + ": version " + std::string(digits) + ", expected a number from 1 on");
-  return version;
+  return *version;
 }
 
 }  // namespace

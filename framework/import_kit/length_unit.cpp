@@ -1,10 +1,11 @@
 #include <opal/import_kit/length_unit.hpp>
 
+#include <opal/common/number_text.hpp>
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <string_view>
 #include <utility>
@@ -21,11 +22,9 @@ constexpr std::array<std::pair<std::string_view, double>, 7> kUnits{
 std::optional<LengthUnit> length_unit_called(const std::string& name) {
   const auto found = std::find_if(kUnits.begin(), kUnits.end(), [&](const auto& unit) { return unit.first == name; });
   if (found != kUnits.end()) return LengthUnit{name, found->second};
-  double metres = 0;
-  const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), metres);
-  const bool is_length =
-      error == std::errc() && end == name.data() + name.size() && std::isfinite(metres) && metres > 0;
-  return is_length ? std::optional(LengthUnit{"units of " + name + " m", metres}) : std::nullopt;
+  const auto metres = parse_number<double>(name);
+  if (!metres || !std::isfinite(*metres) || *metres <= 0) return std::nullopt;
+  return LengthUnit{"units of " + name + " m", *metres};
 }
 
 std::string length_unit_names() {

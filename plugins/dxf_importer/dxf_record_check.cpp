@@ -1,11 +1,11 @@
 #include "dxf_record_check.hpp"
 
 #include <opal/common/error.hpp>
+#include <opal/common/number_text.hpp>
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <map>
 #include <string_view>
@@ -79,18 +79,15 @@ class RecordCheck {
   void check_real(const DxfPair& pair) const {
     std::string_view text = pair.value;
     if (text.starts_with('+')) text.remove_prefix(1);
-    double value = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value) || std::abs(value) > kMaxReal)
+    const auto value = parse_number<double>(text);
+    if (!value || !std::isfinite(*value) || std::abs(*value) > kMaxReal)
       fail(pair.line, pair.code, "\"" + pair.value.substr(0, 40) + "\" for", "a number of at most 1e12");
   }
 
   long integer(const DxfPair& pair) const {
-    int value = 0;
-    const auto [end, error] = std::from_chars(pair.value.data(), pair.value.data() + pair.value.size(), value);
-    if (error != std::errc() || end != pair.value.data() + pair.value.size())
-      fail(pair.line, pair.code, "\"" + pair.value.substr(0, 40) + "\" for", "an integer");
-    return value;
+    const auto value = parse_number<int>(pair.value);
+    if (!value) fail(pair.line, pair.code, "\"" + pair.value.substr(0, 40) + "\" for", "an integer");
+    return *value;
   }
 
   /// The first code of each pair counts how often the second is there.

@@ -5,11 +5,11 @@
 
 #include <opal/common/error.hpp>
 #include <opal/common/file_start.hpp>
+#include <opal/common/number_text.hpp>
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cstdint>
 #include <cstdlib>
 #include <filesystem>
@@ -73,9 +73,9 @@ class Pairs {
   DxfPair next() {
     DxfPair pair;
     const std::string code = line();
-    const auto [end, error] = std::from_chars(code.data(), code.data() + code.size(), pair.code);
-    if (error != std::errc() || end != code.data() + code.size() || pair.code < -5 || pair.code > 1071)
-      fail(shown(code) + ", expected a group code from -5 to 1071");
+    const auto number = parse_number<int>(code);
+    if (!number || *number < -5 || *number > 1071) fail(shown(code) + ", expected a group code from -5 to 1071");
+    pair.code = *number;
     pair.value = line();
     pair.line = line_;
     return pair;
@@ -196,11 +196,8 @@ class Scanner {
     for (; pair_.code != 0; advance()) {
       if (pair_.code == 9) variable = pair_.value;
       if (variable != "$INSUNITS" || pair_.code != 70) continue;
-      int unit = 0;
-      const auto [end, error] = std::from_chars(pair_.value.data(), pair_.value.data() + pair_.value.size(), unit);
-      if (error != std::errc() || end != pair_.value.data() + pair_.value.size())
-        pairs_.fail(shown(pair_.value) + " for $INSUNITS, expected an integer");
-      scan_.insunits = unit;
+      scan_.insunits = parse_number<int>(pair_.value);
+      if (!scan_.insunits) pairs_.fail(shown(pair_.value) + " for $INSUNITS, expected an integer");
     }
   }
 

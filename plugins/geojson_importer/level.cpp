@@ -2,12 +2,12 @@
 
 #include <opal/common/error.hpp>
 #include <opal/common/letter_case.hpp>
+#include <opal/common/number_text.hpp>
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -27,11 +27,8 @@ constexpr std::array kOthers{"floor", "floorid", "floor_id", "storey", "storey_i
 constexpr std::array kLikeLevels{"level", "floor", "storey", "story", "etage", "geschoss", "stockwerk"};
 
 std::optional<double> number(const std::string& text) {
-  double value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  return error == std::errc() && end == text.data() + text.size() && std::abs(value) < 1e6
-             ? std::optional<double>(value)
-             : std::nullopt;
+  const auto value = parse_number<double>(text);
+  return value && std::abs(*value) < 1e6 ? value : std::nullopt;
 }
 
 std::string written(double level) {

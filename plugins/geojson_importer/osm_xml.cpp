@@ -1,13 +1,13 @@
 #include "osm_reader.hpp"
 
 #include <opal/common/error.hpp>
+#include <opal/common/number_text.hpp>
 #include <opal/common/strict_json.hpp>
 
 #include <expat.h>
 #include <fmt/format.h>
 
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <cstring>
 #include <fstream>
@@ -80,11 +80,8 @@ class XmlReader {
   template <class Number>
   std::optional<Number> number(const XML_Char** attributes, const char* name, const char* element) {
     const char* text = attribute(attributes, name);
-    Number value = 0;
-    const char* end = text == nullptr ? nullptr : text + std::strlen(text);
     if (text != nullptr)
-      if (const auto [rest, error] = std::from_chars(text, end, value); error == std::errc() && rest == end)
-        return value;
+      if (const auto value = parse_number<Number>(text)) return value;
     stop(fmt::format("{}: {}", element,
                      text == nullptr ? fmt::format("no {}", name) : fmt::format("{}=\"{}\"", name, text)),
          "a number");

@@ -4,6 +4,7 @@
 #include "local_projection.hpp"
 
 #include <opal/common/error.hpp>
+#include <opal/common/number_text.hpp>
 #include <opal/import_kit/far_origin.hpp>
 #include <opal/import_kit/length_unit.hpp>
 
@@ -11,7 +12,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <limits>
 
@@ -117,11 +117,9 @@ std::string project(const std::string& path, const PlacementOptions& options, Fe
 bool is_metric(const std::string& crs) {
   const std::size_t separator = crs.find_last_of(":/");
   if (separator == std::string::npos) return false;
-  int code = 0;
-  const char *begin = crs.data() + separator + 1, *end = crs.data() + crs.size();
-  const auto [rest, error] = std::from_chars(begin, end, code);
-  return error == std::errc() && rest == end &&
-         std::ranges::any_of(kMetres, [&](const Codes& codes) { return codes.first <= code && code <= codes.last; });
+  const auto code = parse_number<int>(crs.substr(separator + 1));
+  return code &&
+         std::ranges::any_of(kMetres, [&](const Codes& codes) { return codes.first <= *code && *code <= codes.last; });
 }
 
 /// Coordinates of web maps become degrees first. @return whether a plan is in degrees.

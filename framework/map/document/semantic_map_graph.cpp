@@ -3,9 +3,9 @@
 #include "map/map_vocabulary.hpp"
 
 #include <opal/common/error.hpp>
+#include <opal/common/number_text.hpp>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 namespace opal {
@@ -35,11 +35,8 @@ std::optional<double> typed_number(const json& value) {
   const bool numeric =
       type.ends_with("#double") || type.ends_with("#decimal") || type.ends_with("#integer") || type.ends_with("#float");
   if (!numeric || !type.starts_with("http://www.w3.org/2001/XMLSchema#")) return std::nullopt;
-  const std::string text = value["@value"];
-  double number = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(number)) return std::nullopt;
-  return number;
+  const auto number = parse_number<double>(value["@value"].get<std::string>());
+  return number && std::isfinite(*number) ? number : std::nullopt;
 }
 
 }  // namespace

@@ -3,8 +3,8 @@
 #include "report/quantity_text.hpp"
 
 #include <opal/common/error.hpp>
+#include <opal/common/number_text.hpp>
 
-#include <charconv>
 #include <cmath>
 #include <optional>
 
@@ -12,10 +12,8 @@ namespace opal {
 namespace {
 
 std::optional<double> number_of(std::string_view text) {
-  double number = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(number)) return std::nullopt;
-  return number;
+  const auto number = parse_number<double>(text);
+  return number && std::isfinite(*number) ? number : std::nullopt;
 }
 
 /// Decides frame by frame; remembers which time lines there were, for the message if it is none of them.

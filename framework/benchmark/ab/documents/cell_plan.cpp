@@ -1,11 +1,11 @@
 #include "benchmark/ab/documents/cell_plan.hpp"
 
 #include <opal/common/error.hpp>
+#include <opal/common/number_text.hpp>
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 
 namespace opal::ab {
 
@@ -42,17 +42,12 @@ std::size_t CellPlan::end_of_block(std::size_t first, std::size_t last) const {
 }
 
 Shard read_shard(const std::string& text) {
-  Shard shard{0, 0};
-  const auto slash = text.find('/');
-  const auto number = [&](std::size_t from, std::size_t to, std::size_t& value) {
-    const auto [end, error] = std::from_chars(text.data() + from, text.data() + to, value);
-    return error == std::errc() && end == text.data() + to;
-  };
-  const bool good =
-      slash != std::string::npos && number(0, slash, shard.number) && number(slash + 1, text.size(), shard.of);
-  if (!good || shard.number < 1 || shard.number > shard.of)
+  const std::size_t slash = std::min(text.find('/'), text.size());
+  const auto number = parse_number<std::size_t>(text.substr(0, slash));
+  const auto of = parse_number<std::size_t>(text.substr(std::min(slash + 1, text.size())));
+  if (!number || !of || *number < 1 || *number > *of)
     throw ConfigError("--shard: \"" + text + "\", expected PART/PARTS, as 3/10: the third of ten parts");
-  return shard;
+  return {*number, *of};
 }
 
 }  // namespace opal::ab
