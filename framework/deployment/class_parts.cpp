@@ -12,13 +12,13 @@ namespace {
 bool is_class(const PartConfig& part) { return read_class_source(part.type).has_value(); }
 
 template <class T>
-void add_classes(const std::optional<std::vector<PartConfig>>& parts, PluginKind kind, const std::string& document,
+void add_classes(const std::optional<std::vector<PartConfig>>& parts, const std::string& document,
                  const PluginRegistry& registry, std::vector<RegisteredType>& types) {
   if (!parts) return;
   for (const PartConfig& part : *parts)
     if (is_class(part))
-      types.push_back(described_object(*make_part<T>(part, kind, document, registry), kind, part.type,
-                                       read_class_source(part.type)->file));
+      types.push_back(
+          described_object(*make_part<T>(part, document, registry), part.type, read_class_source(part.type)->file));
 }
 
 /// Of detectors, templates and scorers.
@@ -38,18 +38,21 @@ std::vector<PartConfig> classes_in(const Deployment& deployment) {
 void expect_class(const PartConfig& part, PluginKind kind, const std::string& document,
                   const PluginRegistry& registry) {
   if (kind == PluginKind::feature_detector)
-    make_part<FeatureDetector>(part, kind, document, registry);
+    make_part<FeatureDetector>(part, document, registry);
   else if (kind == PluginKind::pattern_template)
-    make_part<PatternTemplate>(part, kind, document, registry);
+    make_part<PatternTemplate>(part, document, registry);
+  else if (kind == PluginKind::hypothesis_scorer)
+    make_part<HypothesisScorer>(part, document, registry);
   else
-    make_part<HypothesisScorer>(part, kind, document, registry);
+    throw ConfigError(part.where + ": " + part.type +
+                      ": a class in Python, expected a plugin's type: no plugin runs such ones");
 }
 
 std::vector<RegisteredType> types_for(const Deployment& deployment, const PluginRegistry& registry) {
   std::vector<RegisteredType> types = registry.types();
   const std::string& file = deployment.file;
-  add_classes<FeatureDetector>(deployment.detectors, PluginKind::feature_detector, file, registry, types);
-  add_classes<PatternTemplate>(deployment.patterns, PluginKind::pattern_template, file, registry, types);
+  add_classes<FeatureDetector>(deployment.detectors, file, registry, types);
+  add_classes<PatternTemplate>(deployment.patterns, file, registry, types);
   return types;
 }
 

@@ -16,12 +16,12 @@ namespace opal {
 /// @param document  path of the deployment.
 /// @throws ConfigError naming the place in the deployment, for a class; PluginError for a plugin's type.
 template <class T>
-std::shared_ptr<const T> make_part(const PartConfig& part, PluginKind kind, const std::string& document,
+std::shared_ptr<const T> make_part(const PartConfig& part, const std::string& document,
                                    const PluginRegistry& registry) {
   const auto source = read_class_source(part.type);
   if (!source) return registry.make<T>(part.type, part.options);
   try {
-    return make_of_class<T>(registry, kind, *source, beside(document, source->file), part.options);
+    return make_of_class<T>(registry, *source, beside(document, source->file), part.options);
   } catch (const PluginError& refusal) {
     throw ConfigError(part.where + ": " + refusal.what());
   }

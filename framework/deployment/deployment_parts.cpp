@@ -58,6 +58,20 @@ void expect_usable(const PartConfig& part, PluginKind kind, const std::string& d
 
 using MaybeParts = std::optional<std::vector<PartConfig>>;
 
+/// Calls `visit(part, kind)` for all that a deployment asks for by itself.
+template <class Visit>
+void for_each_part(const Deployment& deployment, const Visit& visit) {
+  const auto visit_all = [&](const std::vector<PartConfig>& parts, PluginKind kind) {
+    for (const PartConfig& part : parts) visit(part, kind);
+  };
+  if (deployment.detectors) visit_all(*deployment.detectors, PluginKind::feature_detector);
+  if (deployment.patterns) visit_all(*deployment.patterns, PluginKind::pattern_template);
+  visit_all(deployment.importers, PluginKind::map_importer);
+  visit_all(deployment.log_sources, PluginKind::log_source);
+  if (deployment.matcher) visit(*deployment.matcher, PluginKind::scan_matcher);
+  for (const ScorerConfig& scorer : deployment.scorers) visit(scorer.part, PluginKind::hypothesis_scorer);
+}
+
 bool holds(const std::vector<std::string>& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
@@ -105,10 +119,10 @@ std::vector<PartConfig> observable(std::vector<PartConfig> patterns, const std::
 }
 
 template <class T>
-std::vector<Named<T>> make_all(const std::vector<PartConfig>& parts, PluginKind kind, const std::string& document,
+std::vector<Named<T>> make_all(const std::vector<PartConfig>& parts, const std::string& document,
                                const PluginRegistry& registry) {
   std::vector<Named<T>> made;
-  for (const PartConfig& part : parts) made.push_back({part.type, make_part<T>(part, kind, document, registry)});
+  for (const PartConfig& part : parts) made.push_back({part.type, make_part<T>(part, document, registry)});
   return made;
 }
 
@@ -176,17 +190,8 @@ nlohmann::json log_source_options(const Deployment& deployment, const PluginRegi
 
 void check_parts(const Deployment& deployment, const PluginRegistry& plugins) {
   const PluginRegistry registry = trusted_by(deployment, plugins);
-  const auto expect_all = [&](const MaybeParts& parts, PluginKind kind) {
-    if (!parts) return;
-    for (const PartConfig& part : *parts) expect_usable(part, kind, deployment.file, registry);
-  };
-  expect_all(deployment.detectors, PluginKind::feature_detector);
-  expect_all(deployment.patterns, PluginKind::pattern_template);
-  expect_all(deployment.importers, PluginKind::map_importer);
-  expect_all(deployment.log_sources, PluginKind::log_source);
-  if (deployment.matcher) expect_usable(*deployment.matcher, PluginKind::scan_matcher, deployment.file, registry);
-  for (const ScorerConfig& scorer : deployment.scorers)
-    expect_usable(scorer.part, PluginKind::hypothesis_scorer, deployment.file, registry);
+  for_each_part(deployment,
+                [&](const PartConfig& part, PluginKind kind) { expect_usable(part, kind, deployment.file, registry); });
 }
 
 std::vector<std::string> types_made(const Deployment& deployment, const PluginRegistry& plugins,
@@ -199,14 +204,7 @@ std::vector<std::string> types_made(const Deployment& deployment, const PluginRe
   };
   for (const PartConfig& part : called.detectors) add(part, PluginKind::feature_detector);
   for (const PartConfig& part : called.patterns) add(part, PluginKind::pattern_template);
-  for (const ScorerConfig& scorer : deployment.scorers) add(scorer.part, PluginKind::hypothesis_scorer);
-  if (deployment.matcher) add(*deployment.matcher, PluginKind::scan_matcher);
-  for (const MaybeParts* listed : {&deployment.detectors, &deployment.patterns})
-    if (*listed)
-      for (const PartConfig& part : **listed)
-        add(part, listed == &deployment.detectors ? PluginKind::feature_detector : PluginKind::pattern_template);
-  for (const PartConfig& part : deployment.importers) add(part, PluginKind::map_importer);
-  for (const PartConfig& part : deployment.log_sources) add(part, PluginKind::log_source);
+  for_each_part(deployment, add);
   return {types.begin(), types.end()};
 }
 
@@ -225,16 +223,14 @@ LocalizerParts build_parts(const Deployment& deployment, const PluginRegistry& p
   parts.local_map = deployment.local_map;
   if (deployment.matcher)
     parts.matcher = registry.make<ScanMatcher>(deployment.matcher->type, deployment.matcher->options);
-  parts.detectors =
-      make_all<FeatureDetector>(called.detectors, PluginKind::feature_detector, deployment.file, registry);
-  parts.patterns = make_all<PatternTemplate>(called.patterns, PluginKind::pattern_template, deployment.file, registry);
+  parts.detectors = make_all<FeatureDetector>(called.detectors, deployment.file, registry);
+  parts.patterns = make_all<PatternTemplate>(called.patterns, deployment.file, registry);
   for (Named<PatternTemplate>& pattern : parts.patterns)
     pattern.part = consuming(std::move(pattern.part), info_of(pattern.name, called.types).consumes);
   for (const ScorerConfig& scorer : deployment.scorers)
-    parts.scorers.push_back(
-        {scorer.name.empty() ? scorer.part.type : scorer.name,
-         make_part<HypothesisScorer>(scorer.part, PluginKind::hypothesis_scorer, deployment.file, registry),
-         scorer.role, scorer.weight});
+    parts.scorers.push_back({scorer.name.empty() ? scorer.part.type : scorer.name,
+                             make_part<HypothesisScorer>(scorer.part, deployment.file, registry), scorer.role,
+                             scorer.weight});
   parts.stages = deployment.stages;
   return parts;
 }

@@ -1,5 +1,7 @@
 #include "plugin/class_source.hpp"
 
+#include "plugin/described_library.hpp"
+
 #include <opal/common/error.hpp>
 #include <opal/plugin/self_describing.hpp>
 
@@ -52,10 +54,9 @@ nlohmann::json host_options(const ClassSource& source, const std::string& file, 
 }
 
 template <class T>
-std::shared_ptr<const T> make_of_class(const PluginRegistry& registry, PluginKind kind, const ClassSource& source,
+std::shared_ptr<const T> make_of_class(const PluginRegistry& registry, const ClassSource& source,
                                        const std::string& file, const nlohmann::json& options) {
-  const std::string host = host_of(kind), name = source.file + ":" + source.name;
-  if (host.empty()) throw PluginError(name + ": a class in Python, expected a plugin's type: no plugin runs such ones");
+  const std::string host = host_of(kind_of_interface<T>()), name = source.file + ":" + source.name;
   if (!registry.has(host))
     throw PluginError(name + ": a class in Python, but there is no plugin " + host +
                       " to run it: Opal was built without Python");
@@ -68,21 +69,21 @@ std::shared_ptr<const T> make_of_class(const PluginRegistry& registry, PluginKin
 }
 
 template <class T>
-RegisteredType described_object(const T& object, PluginKind kind, const std::string& name, const std::string& file) {
+RegisteredType described_object(const T& object, const std::string& name, const std::string& file) {
   RegisteredType type;
   if (const auto* speaker = dynamic_cast<const SelfDescribing*>(&object)) type.info = speaker->type_info();
   type.info.name = name;
-  type.kind = kind;
+  type.kind = kind_of_interface<T>();
   type.plugin = name;
   type.file = file;
   type.on_request = true;
   return type;
 }
 
-#define OPAL_FOR_CLASSES_OF(T)                                                                           \
-  template std::shared_ptr<const T> make_of_class(const PluginRegistry&, PluginKind, const ClassSource&, \
-                                                  const std::string&, const nlohmann::json&);            \
-  template RegisteredType described_object(const T&, PluginKind, const std::string&, const std::string&);
+#define OPAL_FOR_CLASSES_OF(T)                                                                                   \
+  template std::shared_ptr<const T> make_of_class(const PluginRegistry&, const ClassSource&, const std::string&, \
+                                                  const nlohmann::json&);                                        \
+  template RegisteredType described_object(const T&, const std::string&, const std::string&);
 OPAL_FOR_CLASSES_OF(FeatureDetector)
 OPAL_FOR_CLASSES_OF(PatternTemplate)
 OPAL_FOR_CLASSES_OF(HypothesisScorer)

@@ -29,11 +29,11 @@ OPAL_EXPORT nlohmann::json host_options(const ClassSource& source, const std::st
 /// Makes an object of a class. @throws PluginError naming the class: that it cannot be made and why, or that there is
 /// no plugin that runs it.
 template <class T>
-std::shared_ptr<const T> make_of_class(const PluginRegistry& registry, PluginKind kind, const ClassSource& source,
+std::shared_ptr<const T> make_of_class(const PluginRegistry& registry, const ClassSource& source,
                                        const std::string& file, const nlohmann::json& options);
 
 /// What an object of a class says of itself, under the name by which a deployment knows it.
 template <class T>
-RegisteredType described_object(const T& object, PluginKind kind, const std::string& name, const std::string& file);
+RegisteredType described_object(const T& object, const std::string& name, const std::string& file);
 
 }  // namespace opal

@@ -16,6 +16,10 @@ using AnyFactory = std::variant<Factory<FeatureDetector>, Factory<PatternTemplat
                                 Factory<LogSource>, Factory<MapImporter>, Factory<ScanMatcher>, Factory<MapStore>>;
 
 inline PluginKind kind_of(const AnyFactory& factory) { return static_cast<PluginKind>(factory.index()); }
+template <class T>
+PluginKind kind_of_interface() {
+  return kind_of(AnyFactory(Factory<T>{}));
+}
 
 /// A type as the code of its plugin registers it.
 struct TypeRegistration {

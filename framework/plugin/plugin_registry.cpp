@@ -16,11 +16,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-template <class T>
-PluginKind kind_of_interface() {
-  return kind_of(AnyFactory(Factory<T>{}));
-}
-
 /// Takes every *.so of a folder, by name. @return why some were not taken.
 template <class Take>
 std::vector<std::string> refusals_of(const std::string& folder, const Take& take) {

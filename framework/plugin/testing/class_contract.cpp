@@ -20,12 +20,12 @@ PluginRegistry usual_plugins() {
 
 /// Of a class that is of this kind; nullopt: it is of another one.
 template <class T, class Contract>
-std::optional<std::vector<std::string>> violations_as(PluginKind kind, const PluginRegistry& registry,
-                                                      const ClassSource& source, const Contract& contract) {
+std::optional<std::vector<std::string>> violations_as(const PluginRegistry& registry, const ClassSource& source,
+                                                      const Contract& contract) {
   const std::string name = source.file + ":" + source.name;
   try {
-    const auto object = make_of_class<T>(registry, kind, source, source.file, nlohmann::json::object());
-    return contract(*object, described_object(*object, kind, name, source.file).info);
+    const auto object = make_of_class<T>(registry, source, source.file, nlohmann::json::object());
+    return contract(*object, described_object(*object, name, source.file).info);
   } catch (const PluginError& refusal) {
     const std::string words = refusal.what();
     if (words.find("has no method") != std::string::npos) return std::nullopt;
@@ -42,12 +42,9 @@ std::vector<std::string> class_violations(const std::string& source) {
   const auto detector = [](const auto& object, const auto& type) { return detector_violations(object, type); };
   const auto pattern = [](const auto& object, const auto& type) { return pattern_violations(object, type); };
   const auto scorer = [](const auto& object, const auto& type) { return scorer_violations(object, type); };
-  if (auto found = violations_as<HypothesisScorer>(PluginKind::hypothesis_scorer, registry, *named, scorer))
-    return *found;
-  if (auto found = violations_as<FeatureDetector>(PluginKind::feature_detector, registry, *named, detector))
-    return *found;
-  if (auto found = violations_as<PatternTemplate>(PluginKind::pattern_template, registry, *named, pattern))
-    return *found;
+  if (auto found = violations_as<HypothesisScorer>(registry, *named, scorer)) return *found;
+  if (auto found = violations_as<FeatureDetector>(registry, *named, detector)) return *found;
+  if (auto found = violations_as<PatternTemplate>(registry, *named, pattern)) return *found;
   return {source + ": has none of the methods score, detect and match, expected a scorer, a detector or a template"};
 }
 
