@@ -4,6 +4,7 @@
 #include <opal/common/quantile.hpp>
 #include "recording/cloud_tally.hpp"
 #include "recording/fixed_frames.hpp"
+#include "recording/record_decoder.hpp"
 #include "sensing/log_tally.hpp"
 
 #include <fmt/format.h>
@@ -15,8 +16,6 @@ namespace {
 
 // About a second on a small computer.
 constexpr std::uint64_t kMostLookedAtBytes = 300'000'000;
-
-double in_seconds(std::int64_t nanoseconds) { return kSecondsPerNanosecond * static_cast<double>(nanoseconds); }
 
 struct SeenLaser {
   LaserTally tally;
@@ -38,7 +37,7 @@ std::vector<LogTopic> tally_topics(const Parts& parts) {
     std::vector<StampTally*> by_index;
     for (const Topic& topic : part->topics())
       by_index.push_back(&tallies.try_emplace(Name(topic.name, topic.type)).first->second);
-    for (const RecordedStamp& stamp : part->stamps()) by_index[stamp.topic]->add(in_seconds(stamp.recorded_ns));
+    for (const RecordedStamp& stamp : part->stamps()) by_index[stamp.topic]->add(seconds_of(stamp.recorded_ns));
   }
   std::vector<LogTopic> topics;
   for (const auto& [name, tally] : tallies) {
@@ -64,7 +63,7 @@ class MessageTally {
       const auto message = walk->next();
       if (!message) break;
       looked_at_bytes_ += message->data.size();
-      looked_at_s_ = in_seconds(message->recorded_ns);
+      looked_at_s_ = seconds_of(message->recorded_ns);
       take(*message, part.topics()[message->topic]);
     }
     for (const auto& [cause, times] : walk->defects()) defects_[cause] += times;
@@ -76,7 +75,7 @@ class MessageTally {
 
  private:
   void take(const Message& message, const Topic& topic) {
-    const double recorded_s = in_seconds(message.recorded_ns);
+    const double recorded_s = seconds_of(message.recorded_ns);
     if (has_scans(topic)) return take_scan(message, topic, recorded_s);
     if (has_odometry(topic)) return take_odometry(message, topic, recorded_s);
     take_transforms(message, topic, recorded_s);
