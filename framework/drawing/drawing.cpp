@@ -3,6 +3,8 @@
 #include "drawing/drawing_layers.hpp"
 #include "drawing/picture_file.hpp"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -22,9 +24,7 @@ class Extent {
  public:
   void add(const Point& p) {
     if (!p.allFinite() || p.cwiseAbs().maxCoeff() > kLargestCoordinate_m) return;
-    min_ = empty_ ? p : Point(min_.cwiseMin(p));
-    max_ = empty_ ? p : Point(max_.cwiseMax(p));
-    empty_ = false;
+    box_.extend(p);
   }
   void add(const Geometry& geometry) {
     if (const auto* segment = std::get_if<Segment>(&geometry)) {
@@ -37,17 +37,16 @@ class Extent {
       add(anchor_of(geometry));
     }
   }
-  bool empty() const { return empty_; }
+  bool empty() const { return box_.isEmpty(); }
   std::array<Point, 2> corners() const {
-    if (empty_) return {Point::Constant(-kLeastExtent_m), Point::Constant(kLeastExtent_m)};
-    const Point missing = (Point::Constant(kLeastExtent_m) - (max_ - min_)).cwiseMax(0.0) / 2;
+    if (empty()) return {Point::Constant(-kLeastExtent_m), Point::Constant(kLeastExtent_m)};
+    const Point missing = (Point::Constant(kLeastExtent_m) - box_.sizes()).cwiseMax(0.0) / 2;
     const Point border = missing + Point::Constant(kBorder_m);
-    return {Point(min_ - border), Point(max_ + border)};
+    return {Point(box_.min() - border), Point(box_.max() + border)};
   }
 
  private:
-  Point min_ = Point::Zero(), max_ = Point::Zero();
-  bool empty_ = true;
+  Eigen::AlignedBox2d box_;
 };
 
 std::array<Point, 2> view_of(const DrawingScene& scene) {

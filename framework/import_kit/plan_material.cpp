@@ -1,5 +1,7 @@
 #include "import_kit/plan_material.hpp"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 
@@ -14,13 +16,10 @@ bool crosses_oddly(const std::vector<Point>& ring, const Point& p) {
 }
 
 PlanBoxes::Box box_of(const std::vector<std::vector<Point>>& rings) {
-  Point low = rings.front().front(), high = low;
+  Eigen::AlignedBox2d box;
   for (const std::vector<Point>& ring : rings)
-    for (const Point& p : ring) {
-      low = low.cwiseMin(p);
-      high = high.cwiseMax(p);
-    }
-  return PlanBoxes::around(low, high, 0);
+    for (const Point& p : ring) box.extend(p);
+  return PlanBoxes::around(box.min(), box.max(), 0);
 }
 
 }  // namespace

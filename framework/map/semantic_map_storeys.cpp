@@ -1,5 +1,6 @@
 #include "map/semantic_map_storeys.hpp"
 
+#include "common/geometry_box.hpp"
 #include "common/phrases.hpp"
 #include "map/map_vocabulary.hpp"
 
@@ -21,18 +22,11 @@ std::string expected_storey(const std::vector<MapStorey>& storeys) {
 
 void measure(MapDraft& draft, MapStorey& storey) {
   const std::string prefix = storey.id + "/";
-  bool is_empty = true;
-  for (const MapFeature& feature : draft.features) {
-    if (!feature.id.starts_with(prefix)) continue;
-    const auto* circle = std::get_if<Circle>(&feature.geometry);
-    const Point margin = Point::Constant(circle ? circle->radius_m : 0);
-    for (const Point& p : points_of(feature.geometry)) {
-      storey.bounds[0] = is_empty ? Point(p - margin) : Point(storey.bounds[0].cwiseMin(p - margin));
-      storey.bounds[1] = is_empty ? Point(p + margin) : Point(storey.bounds[1].cwiseMax(p + margin));
-      is_empty = false;
-    }
-  }
-  if (is_empty)
+  Eigen::AlignedBox2d box;
+  for (const MapFeature& feature : draft.features)
+    if (feature.id.starts_with(prefix)) box.extend(box_of(feature.geometry));
+  storey.bounds = {box.min(), box.max()};
+  if (box.isEmpty())
     draft.fail("storey '" + storey.id + "'",
                "nothing lies on it, expected features whose ids begin with '" + prefix + "'");
 }

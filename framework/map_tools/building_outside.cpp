@@ -2,6 +2,8 @@
 
 #include "map_tools/map_stack.hpp"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <array>
 #include <limits>
@@ -225,15 +227,12 @@ struct RasterPart {
 
 /// Where a sheet of a map is, with the usual border.
 RasterPart part_with(const SemanticMap& sheet, const MapRaster& raster) {
-  Point min = Point::Constant(std::numeric_limits<double>::infinity()), max = -min;
-  for (const Point& p : ends_of(sheet)) {
-    min = min.cwiseMin(p);
-    max = max.cwiseMax(p);
-  }
-  if (!min.allFinite()) return {};
+  Eigen::AlignedBox2d box;
+  for (const Point& p : ends_of(sheet)) box.extend(p);
+  if (box.isEmpty()) return {};
   const double border_m = RasterOptions{}.border_m;
-  const Point low = ((min - raster.origin).array() - border_m).matrix() / raster.resolution_m,
-              high = ((max - raster.origin).array() + border_m).matrix() / raster.resolution_m;
+  const Point low = ((box.min() - raster.origin).array() - border_m).matrix() / raster.resolution_m,
+              high = ((box.max() - raster.origin).array() + border_m).matrix() / raster.resolution_m;
   RasterPart part{{}, std::max(0, static_cast<int>(low.x())), std::max(0, static_cast<int>(low.y()))};
   MapRaster& cut = part.raster;
   cut.resolution_m = raster.resolution_m;

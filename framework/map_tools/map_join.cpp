@@ -2,6 +2,7 @@
 
 #include <opal/common/error.hpp>
 
+#include "common/geometry_box.hpp"
 #include "map/semantic_map_draft.hpp"
 
 #include <fmt/format.h>
@@ -14,36 +15,14 @@
 namespace opal {
 namespace {
 
-struct Bounds {
-  Point low = Point::Constant(std::numeric_limits<double>::infinity());
-  Point high = Point::Constant(-std::numeric_limits<double>::infinity());
-
-  void extend(const Point& p) {
-    low = low.cwiseMin(p);
-    high = high.cwiseMax(p);
-  }
-  bool empty() const { return low.x() > high.x(); }
-  Point size() const { return high - low; }
-};
-
-Bounds bounds_of(const SemanticMap& map) {
-  Bounds bounds;
-  for (const MapFeature& feature : map.features()) {
-    const auto* circle = std::get_if<Circle>(&feature.geometry);
-    const Point margin = Point::Constant(circle ? circle->radius_m : 0);
-    for (const Point& p : points_of(feature.geometry)) {
-      bounds.extend(p - margin);
-      bounds.extend(p + margin);
-    }
-  }
+Eigen::AlignedBox2d bounds_of(const SemanticMap& map) {
+  Eigen::AlignedBox2d bounds;
+  for (const MapFeature& feature : map.features()) bounds.extend(box_of(feature.geometry));
   return bounds;
 }
 
-Bounds scaled(const Bounds& bounds, const Point& scale) {
-  Bounds result;
-  result.extend(scale.cwiseProduct(bounds.low));
-  result.extend(scale.cwiseProduct(bounds.high));
-  return result;
+Eigen::AlignedBox2d scaled(const Eigen::AlignedBox2d& box, const Point& scale) {
+  return Eigen::AlignedBox2d(scale.cwiseProduct(box.min())).extend(scale.cwiseProduct(box.max()));
 }
 
 /// Fills rows from below, left to right; a row ends where it would be longer than the whole is going to be high.
@@ -78,7 +57,8 @@ class Join {
 
   std::shared_ptr<const SemanticMap> run() {
     for (std::size_t k = 0; k < sources_.size(); ++k)
-      if (bounds_[k].empty()) throw MapError(sources_[k].map->name() + ": has no features, expected some to be joined");
+      if (bounds_[k].isEmpty())
+        throw MapError(sources_[k].map->name() + ": has no features, expected some to be joined");
     place_all();
     for (std::size_t k = 0; k < placements_.size(); ++k) add(*sources_[k % sources_.size()].map, placements_[k]);
     double smear_m = 0;
@@ -114,15 +94,15 @@ class Join {
     }
     double area = 0;
     for (const Point& scale : scales)
-      for (const Bounds& bounds : bounds_) {
-        const Point size = scaled(bounds, scale).size() + Point::Constant(join_.gap_m);
+      for (const Eigen::AlignedBox2d& bounds : bounds_) {
+        const Point size = scaled(bounds, scale).sizes() + Point::Constant(join_.gap_m);
         area += size.x() * size.y();
       }
     Rows rows(std::sqrt(area), join_.gap_m);
     for (std::size_t copy = 0; copy < scales.size(); ++copy)
       for (std::size_t k = 0; k < sources_.size(); ++k) {
-        const Bounds bounds = scaled(bounds_[k], scales[copy]);
-        const Point move = rows.next(bounds.size()) - Point(bounds.low.array().floor());
+        const Eigen::AlignedBox2d bounds = scaled(bounds_[k], scales[copy]);
+        const Point move = rows.next(bounds.sizes()) - Point(bounds.min().array().floor());
         const std::string id = (copy > 0 ? fmt::format("copy-{}/", copy) : "") + sources_[k].prefix;
         placements_.push_back({id, Pose2(move, 0), scales[copy]});
       }
@@ -161,7 +141,7 @@ class Join {
 
   std::span<const MapSourcePart> sources_;
   const MapJoin& join_;
-  std::vector<Bounds> bounds_;
+  std::vector<Eigen::AlignedBox2d> bounds_;
   std::vector<MapPlacement> placements_;
   std::vector<MapObject> objects_;
   std::vector<MapFeature> features_;

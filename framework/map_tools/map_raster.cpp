@@ -1,6 +1,7 @@
 #include "map_tools/map_raster.hpp"
 
 #include <opal/common/error.hpp>
+#include "common/geometry_box.hpp"
 #include "common/text_file.hpp"
 
 #include <fmt/format.h>
@@ -23,37 +24,27 @@ bool has_surface(const Geometry& geometry) {
   return std::holds_alternative<Segment>(geometry) || std::holds_alternative<Circle>(geometry);
 }
 
-/// Corners of what has a surface.
-std::array<Point, 2> extent_of(const SemanticMap& map) {
-  std::optional<std::array<Point, 2>> box;
-  const auto add = [&](const Point& p) {
-    box = box ? std::array<Point, 2>{(*box)[0].cwiseMin(p), (*box)[1].cwiseMax(p)} : std::array<Point, 2>{p, p};
-  };
-  for (const MapFeature& feature : map.features()) {
-    if (const auto* face = std::get_if<Segment>(&feature.geometry)) {
-      add(face->begin);
-      add(face->end);
-    } else if (const auto* column = std::get_if<Circle>(&feature.geometry)) {
-      add(column->center - Point::Constant(column->radius_m));
-      add(column->center + Point::Constant(column->radius_m));
-    }
-  }
-  if (!box) throw MapError(map.name() + ": no feature with a surface, expected a segment or a circle to draw");
-  return *box;
+/// Of what has a surface.
+Eigen::AlignedBox2d extent_of(const SemanticMap& map) {
+  Eigen::AlignedBox2d box;
+  for (const MapFeature& feature : map.features())
+    if (has_surface(feature.geometry)) box.extend(box_of(feature.geometry));
+  if (box.isEmpty()) throw MapError(map.name() + ": no feature with a surface, expected a segment or a circle to draw");
+  return box;
 }
 
 class Rasterization {
  public:
   Rasterization(const SemanticMap& map, const RasterOptions& options) : map_(map), doors_open_(options.doors_open) {
-    const auto [min, max] = extent_of(map);
-    const Point size = (max - min + Point::Constant(2 * options.border_m)) / options.resolution_m;
+    const Eigen::AlignedBox2d extent = extent_of(map);
+    const Point size = (extent.sizes() + Point::Constant(2 * options.border_m)) / options.resolution_m;
     if (!(size.x() * size.y() < kMostCells))
       throw MapError(
           fmt::format("{}: a grid of {:f} x {:f} cells, expected at most 10^8 in all", map.name(), size.x(), size.y()));
     raster_.columns = static_cast<int>(std::ceil(size.x()));
     raster_.rows = static_cast<int>(std::ceil(size.y()));
     raster_.resolution_m = options.resolution_m;
-    raster_.origin = min - Point::Constant(options.border_m);
+    raster_.origin = extent.min() - Point::Constant(options.border_m);
     raster_.cells.assign(static_cast<std::size_t>(raster_.columns) * raster_.rows, Cell::unknown);
   }
 

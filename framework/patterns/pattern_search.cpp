@@ -1,5 +1,7 @@
 #include "patterns/pattern_index.hpp"
 
+#include "common/geometry_box.hpp"
+
 #include <boost/geometry.hpp>
 #include <boost/geometry/index/rtree.hpp>
 #include <boost/iterator/function_output_iterator.hpp>
@@ -15,16 +17,10 @@ using BoostPoint = bg::model::point<double, 2, bg::cs::cartesian>;
 using Box = bg::model::box<BoostPoint>;
 using Entry = std::pair<Box, int>;
 
-struct Corners {
-  Box operator()(const Point& p) const { return span(p, p); }
-  Box operator()(const OrientedPoint& p) const { return span(p.position, p.position); }
-  Box operator()(const Segment& s) const { return span(s.begin.cwiseMin(s.end), s.begin.cwiseMax(s.end)); }
-  Box operator()(const Circle& c) const {
-    const Point r = Point::Constant(c.radius_m);
-    return span(c.center - r, c.center + r);
-  }
-  static Box span(const Point& low, const Point& high) { return {{low.x(), low.y()}, {high.x(), high.y()}}; }
-};
+Box box_around(const Geometry& geometry) {
+  const Eigen::AlignedBox2d box = box_of(geometry);
+  return {{box.min().x(), box.min().y()}, {box.max().x(), box.max().y()}};
+}
 
 bool crosses(const Segment& a, const Segment& b) {
   const Point u = a.end - a.begin, v = b.end - b.begin;
@@ -53,8 +49,7 @@ class Enumeration {
       : template_(pattern_template), shape_(pattern_template.shape()), features_(features), visit_(visit) {
     std::array<std::vector<Entry>, kKinds> entries;
     for (std::size_t k = 0; k < features.size(); ++k)
-      entries[features[k].geometry.index()].emplace_back(std::visit(Corners{}, features[k].geometry),
-                                                         static_cast<int>(k));
+      entries[features[k].geometry.index()].emplace_back(box_around(features[k].geometry), static_cast<int>(k));
     for (std::size_t kind = 0; kind < kKinds; ++kind) trees_[kind] = Tree(entries[kind]);
   }
 
@@ -86,7 +81,7 @@ class Enumeration {
 
   /// Of one kind, by number.
   std::vector<int> around(int number, double r, GeometryKind kind) const {
-    Box box = std::visit(Corners{}, features_[number].geometry);
+    Box box = box_around(features_[number].geometry);
     box = {{box.min_corner().get<0>() - r, box.min_corner().get<1>() - r},
            {box.max_corner().get<0>() + r, box.max_corner().get<1>() + r}};
     std::vector<int> numbers;

@@ -1,5 +1,7 @@
 #include "simulation/ray_caster.hpp"
 
+#include "common/geometry_box.hpp"
+
 #include <algorithm>
 #include <limits>
 
@@ -7,17 +9,6 @@ namespace opal::simulation {
 namespace {
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
-
-struct Box {
-  Point low, high;
-};
-
-Box box_of(const Geometry& shape) {
-  if (const auto* segment = std::get_if<Segment>(&shape))
-    return {segment->begin.cwiseMin(segment->end), segment->begin.cwiseMax(segment->end)};
-  const auto& circle = std::get<Circle>(shape);
-  return {circle.center - Point::Constant(circle.radius_m), circle.center + Point::Constant(circle.radius_m)};
-}
 
 /// From a solid and what it encloses.
 double distance_from(const Geometry& shape, const Point& p) {
@@ -28,8 +19,8 @@ double distance_from(const Geometry& shape, const Point& p) {
 
 bool can_be_met(const Geometry& shape) {
   if (!std::holds_alternative<Segment>(shape) && !std::holds_alternative<Circle>(shape)) return false;
-  const Box box = box_of(shape);
-  return box.low.allFinite() && box.high.allFinite();
+  const Eigen::AlignedBox2d box = box_of(shape);
+  return box.min().allFinite() && box.max().allFinite();
 }
 
 double disc_range(const Point& origin, const Point& direction, double x, double y, double radius, double from_m) {
@@ -58,12 +49,9 @@ double piece_range(const Point& origin, const Point& direction, double x, double
 RayCaster::RayCaster(std::vector<Solid> solids) : solids_(std::move(solids)) {
   std::erase_if(solids_, [](const Solid& solid) { return !can_be_met(solid.shape); });
   if (solids_.empty()) return;
-  low_ = Point::Constant(kNever);
-  high_ = -low_;
+  Eigen::AlignedBox2d bounds;
   for (const Solid& solid : solids_) {
-    const Box box = box_of(solid.shape);
-    low_ = low_.cwiseMin(box.low);
-    high_ = high_.cwiseMax(box.high);
+    bounds.extend(box_of(solid.shape));
     if (const auto* segment = std::get_if<Segment>(&solid.shape)) {
       const Point way = segment->end - segment->begin;
       prepared_.push_back({segment->begin.x(), segment->begin.y(), way.x(), way.y(), -1});
@@ -72,6 +60,8 @@ RayCaster::RayCaster(std::vector<Solid> solids) : solids_(std::move(solids)) {
       prepared_.push_back({circle.center.x(), circle.center.y(), 0, 0, circle.radius_m});
     }
   }
+  low_ = bounds.min();
+  high_ = bounds.max();
   columns_ = column_of(high_.x()) + 1;
   rows_ = row_of(high_.y()) + 1;
   Cells cells(static_cast<std::size_t>(columns_) * rows_);
@@ -86,9 +76,9 @@ RayCaster::RayCaster(std::vector<Solid> solids) : solids_(std::move(solids)) {
 /// Into every cell of its bounding box that it comes near: a long diagonal wall must not fill the box.
 void RayCaster::insert(int number, Cells& cells) const {
   constexpr double kReach_m = 0.7072 * kCell_m + 1e-9;  // half a cell's diagonal
-  const Box box = box_of(solids_[number].shape);
-  for (int row = row_of(box.low.y()); row <= row_of(box.high.y()); ++row)
-    for (int column = column_of(box.low.x()); column <= column_of(box.high.x()); ++column) {
+  const Eigen::AlignedBox2d box = box_of(solids_[number].shape);
+  for (int row = row_of(box.min().y()); row <= row_of(box.max().y()); ++row)
+    for (int column = column_of(box.min().x()); column <= column_of(box.max().x()); ++column) {
       const Point center = low_ + kCell_m * Point(column + 0.5, row + 0.5);
       if (distance_from(solids_[number].shape, center) <= kReach_m)
         cells[static_cast<std::size_t>(row) * columns_ + column].push_back(number);

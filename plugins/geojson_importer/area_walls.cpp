@@ -1,5 +1,7 @@
 #include "area_walls.hpp"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 
@@ -44,8 +46,7 @@ class OpenArea {
  public:
   explicit OpenArea(const Area& area) {
     visit_edges(area, [&](const Segment& edge) {
-      low_ = edges_.empty() ? edge.begin : Point(low_.cwiseMin(edge.begin));
-      high_ = edges_.empty() ? edge.begin : Point(high_.cwiseMax(edge.begin));
+      box_.extend(edge.begin);
       edges_.push_back(edge);
     });
   }
@@ -53,7 +54,8 @@ class OpenArea {
   bool is_near(const Segment& line) const {
     const Point low = line.begin.cwiseMin(line.end), high = line.begin.cwiseMax(line.end);
     const Point margin = Point::Constant(kSameBorder_m);
-    return ((low - margin).array() <= high_.array()).all() && ((high + margin).array() >= low_.array()).all();
+    return ((low - margin).array() <= box_.max().array()).all() &&
+           ((high + margin).array() >= box_.min().array()).all();
   }
 
   /// Where along a line something of the area begins or ends.
@@ -88,7 +90,7 @@ class OpenArea {
   }
 
   std::vector<Segment> edges_;
-  Point low_ = Point::Zero(), high_ = Point::Zero();
+  Eigen::AlignedBox2d box_;
 };
 
 /// The pieces of a corridor's border where no other open area is.

@@ -18,11 +18,9 @@ MassiveWalls::MassiveWalls(const std::vector<PlanElement>& elements) {
     for (const PlanLine& line : element.lines) {
       if (line.sides != PlanSides::solid || line.points.empty()) continue;
       Wall& wall = polygons[line.solid];
-      if (wall.edges.empty()) wall.low = wall.high = line.points.front();
       for (std::size_t k = 0; k < line.points.size(); ++k) {
         wall.edges.push_back({line.points[k], line.points[(k + 1) % line.points.size()]});
-        wall.low = wall.low.cwiseMin(line.points[k]);
-        wall.high = wall.high.cwiseMax(line.points[k]);
+        wall.box.extend(line.points[k]);
       }
     }
     for (auto& [number, wall] : polygons) {
@@ -39,7 +37,8 @@ std::string MassiveWalls::wall_at(const Point& p) const {
 
 bool MassiveWalls::holds(const Wall& wall, const Point& p) {
   const Point margin = Point::Constant(kAtBorder_m);
-  if ((p.array() < (wall.low - margin).array()).any() || (p.array() > (wall.high + margin).array()).any()) return false;
+  if ((p.array() < (wall.box.min() - margin).array()).any() || (p.array() > (wall.box.max() + margin).array()).any())
+    return false;
   const auto is_at_border = [&](const Segment& edge) { return distance_m(edge, p) <= kAtBorder_m; };
   return std::any_of(wall.edges.begin(), wall.edges.end(), is_at_border) || is_within(wall.edges, p);
 }

@@ -2,6 +2,8 @@
 
 #include <opal/import_kit/plan_assembly.hpp>
 
+#include <Eigen/Geometry>
+
 #include <string>
 #include <vector>
 
@@ -19,7 +21,7 @@ class MassiveWalls {
   struct Wall {
     std::string id;
     std::vector<Segment> edges;  ///< of all its rings
-    Point low = Point::Zero(), high = Point::Zero();
+    Eigen::AlignedBox2d box;
   };
   static bool holds(const Wall& wall, const Point& p);
 

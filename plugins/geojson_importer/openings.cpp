@@ -1,5 +1,7 @@
 #include "openings.hpp"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -83,14 +85,10 @@ Segment line_through(const Ring& ring) {
     if (const Segment edge{ring[k], ring[(k + 1) % ring.size()]}; edge.length_m() > longest.length_m()) longest = edge;
   if (longest.length_m() == 0) return longest;
   const Point along = longest.direction(), across = left_of(along);
-  Point low = Point::Zero(), high = Point::Zero();
-  for (const Point& p : ring) {
-    const Point place(along.dot(p - ring.front()), across.dot(p - ring.front()));
-    low = low.cwiseMin(place);
-    high = high.cwiseMax(place);
-  }
-  const Point begin = ring.front() + low.x() * along + (low.y() + high.y()) / 2 * across;
-  return {begin, begin + (high.x() - low.x()) * along};
+  Eigen::AlignedBox2d box;
+  for (const Point& p : ring) box.extend(Point(along.dot(p - ring.front()), across.dot(p - ring.front())));
+  const Point begin = ring.front() + box.min().x() * along + box.center().y() * across;
+  return {begin, begin + box.sizes().x() * along};
 }
 
 std::vector<std::optional<Segment>> cut_openings(const std::vector<Opening>& openings, double thickness_m,

@@ -1,6 +1,7 @@
 #include "reference_grid.hpp"
 
 #include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <array>
@@ -65,14 +66,11 @@ ReferenceGrid::ReferenceGrid(std::span<const Point> reference) {
 }
 
 void ReferenceGrid::lay_out(std::span<const Point> reference) {
-  Point low = reference.front(), high = low;
-  for (const Point& p : reference) {
-    low = low.cwiseMin(p);
-    high = high.cwiseMax(p);
-  }
-  const Point size = high - low + Point::Constant(2 * kReach_m + kFinestCell_m);
+  Eigen::AlignedBox2d box;
+  for (const Point& p : reference) box.extend(p);
+  const Point size = box.sizes() + Point::Constant(2 * kReach_m + kFinestCell_m);
   cell_m_ = std::max({kFinestCell_m, std::sqrt(size.x() * size.y() / kMostCells), size.maxCoeff() / kMostColumns});
-  origin_ = low - Point::Constant(kReach_m);
+  origin_ = box.min() - Point::Constant(kReach_m);
   columns_ = static_cast<int>(size.x() / cell_m_) + 1;
   rows_ = static_cast<int>(size.y() / cell_m_) + 1;
   const std::size_t cells = static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_);

@@ -1,5 +1,7 @@
 #include "face_ends.hpp"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 
@@ -53,13 +55,10 @@ FaceEnds FaceEnds::of(const MapView& map) {
 FaceEnds::FaceEnds(std::vector<End> ends) : ends_(std::move(ends)) {
   if (ends_.empty()) return;
   ends_.shrink_to_fit();
-  low_ = ends_.front().position;
-  Point high = low_;
-  for (const End& end : ends_) {
-    low_ = low_.cwiseMin(end.position);
-    high = high.cwiseMax(end.position);
-  }
-  const Point size_m = high - low_ + Point::Ones();
+  Eigen::AlignedBox2d box;
+  for (const End& end : ends_) box.extend(end.position);
+  low_ = box.min();
+  const Point size_m = box.sizes() + Point::Ones();
   cell_m_ = cell_for(size_m);
   columns_ = static_cast<int>(size_m.x() / cell_m_) + 1;
   rows_ = static_cast<int>(size_m.y() / cell_m_) + 1;

@@ -41,9 +41,7 @@ FreeRoom::FreeRoom(const std::vector<Point>& outline, double margin_m) {
     append_edges(piece.outer(), edges_);
     for (const auto& hole : piece.inners()) append_edges(hole, edges_);
   }
-  if (edges_.empty()) return;
-  box_ = {edges_.front().begin, edges_.front().begin};
-  for (const Segment& edge : edges_) box_ = {box_[0].cwiseMin(edge.begin), box_[1].cwiseMax(edge.begin)};
+  for (const Segment& edge : edges_) box_.extend(edge.begin);
 }
 
 /// Even-odd rule.
@@ -63,8 +61,7 @@ double FreeRoom::depth_m(const Point& p) const {
 }
 
 std::vector<Segment> FreeRoom::inside(const Segment& segment, double depth) const {
-  const Point low = segment.begin.cwiseMin(segment.end), high = segment.begin.cwiseMax(segment.end);
-  if (edges_.empty() || (low.array() > box_[1].array()).any() || (high.array() < box_[0].array()).any()) return {};
+  if (!box_.intersects(Eigen::AlignedBox2d(segment.begin).extend(segment.end))) return {};
   const Point way = segment.end - segment.begin;
   std::vector<double> cuts{0, 1};
   for (const Segment& edge : edges_) {

@@ -2,6 +2,8 @@
 
 #include <opal/common/geometry.hpp>
 
+#include <Eigen/Geometry>
+
 #include <array>
 #include <vector>
 
@@ -23,7 +25,7 @@ class FreeRoom {
   double depth_m(const Point& p) const;
 
   std::vector<Segment> edges_;
-  std::array<Point, 2> box_{Point::Zero(), Point::Zero()};
+  Eigen::AlignedBox2d box_;
 };
 
 }  // namespace opal::score_free_space

@@ -1,5 +1,6 @@
 #include "map/check/map_check.hpp"
 
+#include "common/geometry_box.hpp"
 #include "common/phrases.hpp"
 #include "map/check/map_check_geometry.hpp"
 #include "map/check/map_check_mistakes.hpp"
@@ -58,17 +59,9 @@ void count_parts(const SemanticMap& map, MapCheck& check) {
 }
 
 void measure_bounds(const SemanticMap& map, MapCheck& check) {
-  bool first = true;
-  for (const MapFeature& feature : map.features()) {
-    const auto* circle = std::get_if<Circle>(&feature.geometry);
-    const double margin_m = circle ? circle->radius_m : 0;
-    for (const Point& point : points_of(feature.geometry)) {
-      const Point low = point.array() - margin_m, high = point.array() + margin_m;
-      check.bounds[0] = first ? low : Point(check.bounds[0].cwiseMin(low));
-      check.bounds[1] = first ? high : Point(check.bounds[1].cwiseMax(high));
-      first = false;
-    }
-  }
+  Eigen::AlignedBox2d box;
+  for (const MapFeature& feature : map.features()) box.extend(box_of(feature.geometry));
+  if (!box.isEmpty()) check.bounds = {box.min(), box.max()};
 }
 
 void warn_about_geometry(const SemanticMap& map, MapCheck& check) {

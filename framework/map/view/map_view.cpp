@@ -1,5 +1,6 @@
 #include <opal/map/view/map_view.hpp>
 
+#include "common/geometry_box.hpp"
 #include "map/view/map_size.hpp"
 #include "map/view/support_lines.hpp"
 #include "map/view/surface_grid.hpp"
@@ -21,23 +22,7 @@ using Box = bg::model::box<BoostPoint>;
 using Entry = std::pair<Box, MapFeatureNumber>;
 using RTree = bg::index::rtree<Entry, bg::index::quadratic<16>>;
 
-struct Extent {
-  Point low, high;
-};
-
-struct ExtentOf {
-  Extent operator()(const Point& p) const { return {p, p}; }
-  Extent operator()(const OrientedPoint& p) const { return {p.position, p.position}; }
-  Extent operator()(const Segment& s) const { return {s.begin.cwiseMin(s.end), s.begin.cwiseMax(s.end)}; }
-  Extent operator()(const Circle& c) const {
-    const Point radius = Point::Constant(c.radius_m);
-    return {c.center - radius, c.center + radius};
-  }
-};
-
-Extent extent_of(const Geometry& geometry) { return std::visit(ExtentOf{}, geometry); }
-
-Box box_of(const Extent& extent) { return {{extent.low.x(), extent.low.y()}, {extent.high.x(), extent.high.y()}}; }
+Box as_box(const Eigen::AlignedBox2d& box) { return {{box.min().x(), box.min().y()}, {box.max().x(), box.max().y()}}; }
 
 std::vector<MapFeatureNumber> features_of(const SemanticMap& map, const std::string& sensor) {
   std::vector<MapFeatureNumber> numbers;
@@ -48,12 +33,9 @@ std::vector<MapFeatureNumber> features_of(const SemanticMap& map, const std::str
   return numbers;
 }
 
-Extent bounds_of(const SemanticMap& map, const std::vector<MapFeatureNumber>& numbers) {
-  Extent all = extent_of(map.feature(numbers.front()).geometry);
-  for (MapFeatureNumber number : numbers) {
-    const Extent one = extent_of(map.feature(number).geometry);
-    all = {all.low.cwiseMin(one.low), all.high.cwiseMax(one.high)};
-  }
+Eigen::AlignedBox2d bounds_of(const SemanticMap& map, const std::vector<MapFeatureNumber>& numbers) {
+  Eigen::AlignedBox2d all;
+  for (MapFeatureNumber number : numbers) all.extend(box_of(map.feature(number).geometry));
   return all;
 }
 
@@ -63,10 +45,10 @@ std::vector<NumberedShape> shapes_of(const SemanticMap& map, const std::vector<M
   return shapes;
 }
 
-SurfaceGrid grid_of(const SemanticMap& map, const std::vector<MapFeatureNumber>& numbers, const Extent& bounds,
-                    const std::string& kept_in) {
-  expect_small_enough(map, numbers, bounds.high - bounds.low);
-  const TileLayout layout = TileLayout::around(bounds.low, bounds.high);
+SurfaceGrid grid_of(const SemanticMap& map, const std::vector<MapFeatureNumber>& numbers,
+                    const Eigen::AlignedBox2d& bounds, const std::string& kept_in) {
+  expect_small_enough(map, numbers, bounds.sizes());
+  const TileLayout layout = TileLayout::around(bounds.min(), bounds.max());
   const auto features = static_cast<int>(map.features().size());
   return {layout, TileCache(kept_in).tiles_of(layout, shapes_of(map, numbers), features)};
 }
@@ -152,7 +134,7 @@ struct MapView::Index {
       const Geometry& geometry = map.feature(number).geometry;
       surface(number) = surface_of(geometry);
       surface(number).object = map.feature(number).object;
-      entries.emplace_back(box_of(extent_of(geometry)), number);
+      entries.emplace_back(as_box(box_of(geometry)), number);
     }
     tree = RTree(entries);
     number_lines(map);
@@ -182,7 +164,7 @@ struct MapView::Index {
 
   std::string folder;  ///< of what is prepared
   std::vector<MapFeatureNumber> numbers;
-  Extent bounds;
+  Eigen::AlignedBox2d bounds;
   SurfaceGrid surfaces;
   std::vector<Surface> by_number;
   RTree tree;
@@ -198,13 +180,13 @@ const std::string& MapView::kept_in() const { return index_->folder; }
 const MapFeature& MapView::feature(MapFeatureNumber number) const { return map_->feature(number); }
 const Surface& MapView::surface(MapFeatureNumber number) const { return index_->surface(number); }
 std::span<const MapFeatureNumber> MapView::features() const { return index_->numbers; }
-std::array<Point, 2> MapView::bounds() const { return {index_->bounds.low, index_->bounds.high}; }
+std::array<Point, 2> MapView::bounds() const { return {index_->bounds.min(), index_->bounds.max()}; }
 
 std::vector<MapFeatureNumber> MapView::within(const Point& p, double radius_m) const {
   constexpr double kRounding_m = 1e-9;  // of the box, for coordinates up to 1e6 m: what is near enough decides
   const Point radius = Point::Constant(radius_m + kRounding_m);
   const auto near_enough = [&](const Entry& e) { return distance_m(feature(e.second).geometry, p) <= radius_m; };
-  const auto query = bg::index::intersects(box_of({p - radius, p + radius})) && bg::index::satisfies(near_enough);
+  const auto query = bg::index::intersects(as_box({p - radius, p + radius})) && bg::index::satisfies(near_enough);
   return index_->numbers_of(query);
 }
 

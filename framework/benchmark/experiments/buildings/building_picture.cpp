@@ -1,6 +1,7 @@
 #include "benchmark/experiments/buildings/building_picture.hpp"
 
 #include <fmt/format.h>
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
@@ -14,24 +15,15 @@ std::string coordinates(const Point& p) {
   return fmt::format("{} {}", std::lround(100 * p.x()), std::lround(-100 * p.y()));
 }
 
-struct Extent {
-  Point low = Point::Constant(std::numeric_limits<double>::infinity()), high = -low;
-
-  void add(const Point& p) {
-    low = low.cwiseMin(p);
-    high = high.cwiseMax(p);
-  }
-};
-
 std::string view_box_of(const SemanticMap& map) {
   constexpr double kBorder_m = 1;
-  Extent extent;
+  Eigen::AlignedBox2d extent;
   for (const MapFeature& feature : map.features()) {
     const auto* face = std::get_if<Segment>(&feature.geometry);
-    extent.add(face ? face->begin : anchor_of(feature.geometry));
-    if (face) extent.add(face->end);
+    extent.extend(face ? face->begin : anchor_of(feature.geometry));
+    if (face) extent.extend(face->end);
   }
-  const Point low = extent.low - Point::Constant(kBorder_m), size = extent.high + Point::Constant(kBorder_m) - low;
+  const Point low = extent.min() - Point::Constant(kBorder_m), size = extent.max() + Point::Constant(kBorder_m) - low;
   return "viewBox=\"" + coordinates({low.x(), low.y() + size.y()}) + " " + coordinates({size.x(), -size.y()}) + "\"";
 }
 

@@ -3,6 +3,8 @@
 #include "benchmark/experiments/kit/order_statistics.hpp"
 #include "report/html_text.hpp"
 
+#include <Eigen/Geometry>
+
 #include <array>
 #include <sstream>
 
@@ -27,20 +29,15 @@ std::string disc(const Point& p, double radius_m, const std::string& style) {
          style + "/>\n";
 }
 
-struct Extent {
-  Point min = Point::Constant(1e9), max = Point::Constant(-1e9);
-  void add(const Point& p) { min = min.cwiseMin(p), max = max.cwiseMax(p); }
-};
-
-std::string building(const SemanticMap& map, Extent& extent) {
+std::string building(const SemanticMap& map, Eigen::AlignedBox2d& extent) {
   std::string svg;
   for (const MapFeature& feature : map.features()) {
     if (const auto* segment = std::get_if<Segment>(&feature.geometry)) {
-      extent.add(segment->begin), extent.add(segment->end);
+      extent.extend(segment->begin).extend(segment->end);
       svg += line_of({segment->begin, segment->end}, feature.sensor.empty() ? "stroke='#b9c6cf' stroke-width='.06'"
                                                                             : "stroke='#222' stroke-width='.1'");
     } else if (const auto* circle = std::get_if<Circle>(&feature.geometry)) {
-      extent.add(circle->center);
+      extent.extend(circle->center);
       svg += disc(circle->center, circle->radius_m, "fill='#222'");
     }
   }
@@ -75,14 +72,14 @@ std::string drawn(const WaysPicture::Way& way, const std::string& colour) {
 }  // namespace
 
 std::string svg_of(const SemanticMap& map, const WaysPicture& picture) {
-  Extent extent;
+  Eigen::AlignedBox2d extent;
   std::string content = building(map, extent);
   for (const Circle& region : picture.regions)
     content += disc(region.center, region.radius_m, "fill='none' stroke='#d01c1c' stroke-width='.08'");
   for (const Point& goal : picture.goals) content += disc(goal, 0.45, "fill='#1f5fd0'");
   for (std::size_t k = 0; k < picture.ways.size(); ++k)
     content += drawn(picture.ways[k], kColours[k % kColours.size()]);
-  const Point low = extent.min - Point(1, 1), size = extent.max - extent.min + Point(2, 2);
+  const Point low = extent.min() - Point(1, 1), size = extent.sizes() + Point(2, 2);
   return "<svg xmlns='http://www.w3.org/2000/svg' role='img' viewBox='" + number(low.x(), 1) + ' ' +
          number(-low.y() - size.y(), 1) + ' ' + number(size.x(), 1) + ' ' + number(size.y(), 1) + "'>\n" + content +
          "</svg>\n";
