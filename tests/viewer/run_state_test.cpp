@@ -16,7 +16,7 @@ std::string described(const RunState& state) {
   const auto life = [&](const TracedHypothesis& h) {
     out << h.id << ' ' << h.parent << ' ' << h.spawned_s << ' ' << h.T_map_base.x() << ' ' << h.log_likelihood << ' '
         << h.probability << ' ' << h.highest_probability << '@' << h.highest_s;
-    for (const RecordedPair& pair : h.pairs) out << ' ' << pair.local_feature << "->" << pair.map_feature;
+    for (const Association& pair : h.pairs) out << ' ' << pair.local_feature << "->" << pair.map_feature;
     out << '\n';
   };
   out << state.time_line() << ' ' << state.frames() << '\n';
@@ -34,7 +34,7 @@ std::string described(const RunState& state) {
 constexpr HypothesisId kThird{3};
 
 /// @param map_feature  -1: not on the map.
-RecordedPair pair_of(int local_feature, int map_feature) {
+Association pair_of(int local_feature, int map_feature) {
   return {LocalFeatureId(local_feature), MapFeatureNumber(map_feature)};
 }
 

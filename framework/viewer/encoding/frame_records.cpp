@@ -43,9 +43,9 @@ struct WriteGeometry {
   }
 };
 
-void write_pairs(const std::vector<RecordedPair>& pairs, RecordText& record) {
+void write_pairs(const std::vector<Association>& pairs, RecordText& record) {
   record.open('[');
-  for (const RecordedPair& pair : pairs) record.open('[').id(pair.local_feature).id(pair.map_feature).close(']');
+  for (const Association& pair : pairs) record.open('[').id(pair.local_feature).id(pair.map_feature).close(']');
   record.close(']');
 }
 

@@ -26,8 +26,8 @@ std::vector<Point> optional_points(const EventPlace& event, const char* name) {
   return found ? found->points() : std::vector<Point>{};
 }
 
-std::vector<RecordedPair> read_pairs(const EventPlace& event, const FeaturePositions& features) {
-  std::vector<RecordedPair> pairs;
+std::vector<Association> read_pairs(const EventPlace& event, const FeaturePositions& features) {
+  std::vector<Association> pairs;
   const auto array = event.find("pairs");
   if (!array) return pairs;
   for (std::size_t k = 0; k < array->elements(); ++k) {

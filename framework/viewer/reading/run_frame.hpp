@@ -54,12 +54,6 @@ struct RunHeader {
   const Feature& feature(MapFeatureNumber number) const { return features[number.number()]; }
 };
 
-/// One recorded association.
-struct RecordedPair {
-  LocalFeatureId local_feature = {};
-  MapFeatureNumber map_feature = {};  ///< none: not on the map
-};
-
 struct RecordedTerm {
   std::string scorer, term;
   double value = 0;
@@ -95,12 +89,12 @@ struct RecordedSpawn {
   std::string origin;  ///< template of its pattern, or what else it comes from in words; empty: a parent, or unknown
   Pose2 T_map_base;
   double log_likelihood = 0;
-  std::vector<RecordedPair> pairs;
+  std::vector<Association> pairs;
 };
 
 struct RecordedGrowth {
   HypothesisId hypothesis = {};
-  std::vector<RecordedPair> pairs;
+  std::vector<Association> pairs;
 };
 
 struct RecordedLoss {
@@ -111,7 +105,7 @@ struct RecordedLoss {
 
 struct RecordedRejection {
   HypothesisId hypothesis = {};  ///< the parent
-  std::vector<RecordedPair> pairs;
+  std::vector<Association> pairs;
   std::string reason;
 };
 
@@ -134,7 +128,7 @@ struct RecordedSearch {
   struct Rejected {
     std::string origin;  ///< as of a spawn
     Pose2 T_map_base;
-    std::vector<RecordedPair> pairs;
+    std::vector<Association> pairs;
     double nat = 0;
     std::string reason;
   };

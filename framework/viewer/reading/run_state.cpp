@@ -58,9 +58,9 @@ void RunState::insert(const RecordedSpawn& spawn) {
 }
 
 void RunState::grow(const RecordedGrowth& growth) {
-  std::vector<RecordedPair>& pairs = traced(growth.hypothesis).pairs;
-  for (const RecordedPair& pair : growth.pairs) {
-    std::erase_if(pairs, [&](const RecordedPair& old) {
+  std::vector<Association>& pairs = traced(growth.hypothesis).pairs;
+  for (const Association& pair : growth.pairs) {
+    std::erase_if(pairs, [&](const Association& old) {
       return old.local_feature == pair.local_feature && old.local_feature.exists();
     });
     pairs.push_back(pair);
@@ -69,7 +69,7 @@ void RunState::grow(const RecordedGrowth& growth) {
 
 void RunState::lose(const RecordedLoss& loss) {
   std::erase_if(traced(loss.hypothesis).pairs,
-                [&](const RecordedPair& pair) { return contains(loss.local_features, pair.local_feature); });
+                [&](const Association& pair) { return contains(loss.local_features, pair.local_feature); });
 }
 
 void RunState::end(const RecordedEnd& end) {

@@ -14,7 +14,7 @@ struct TracedHypothesis {
   std::string origin;    ///< as RecordedSpawn
   double spawned_s = 0;  ///< time since the start of the time line
   KeyframeId spawned_keyframe = {};
-  std::vector<RecordedPair> pairs;  ///< associations that hold now (at the end, if it has ended), oldest first
+  std::vector<Association> pairs;  ///< associations that hold now (at the end, if it has ended), oldest first
 
   // Newest, or the last there were.
   Pose2 T_map_base;

@@ -47,7 +47,7 @@ class PlacedByBest {
   }
 
   void add_associations() {
-    for (const RecordedPair& pair : best_.pairs) {
+    for (const Association& pair : best_.pairs) {
       const RecordedLocalFeature* local = find(pair.local_feature);
       if (!local || !pair.map_feature.exists()) continue;
       scene_.associations.push_back(
@@ -76,7 +76,7 @@ class PlacedByBest {
     return found == state_.local_features().end() ? nullptr : &found->second;
   }
   DrawingScene::Perception perception_of(const RecordedLocalFeature& feature) const {
-    const bool matched = std::any_of(best_.pairs.begin(), best_.pairs.end(), [&](const RecordedPair& pair) {
+    const bool matched = std::any_of(best_.pairs.begin(), best_.pairs.end(), [&](const Association& pair) {
       return pair.local_feature == feature.id && pair.map_feature.exists();
     });
     if (matched) return DrawingScene::Perception::matched;

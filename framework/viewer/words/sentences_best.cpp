@@ -29,7 +29,7 @@ class Support {
   Support(const ExplainedMoment& moment, const TracedHypothesis& best)
       : header_(moment.header), T_map_local_(best.T_map_base * moment.state.frame().T_local_base.inverse()) {
     const auto& locals = moment.state.local_features();
-    for (const RecordedPair& pair : best.pairs) {
+    for (const Association& pair : best.pairs) {
       const auto local = locals.find(pair.local_feature);
       if (local == locals.end()) continue;
       if (pair.map_feature.exists())
