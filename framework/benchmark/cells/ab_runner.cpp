@@ -119,8 +119,7 @@ void LocalizingRunner::set_up(std::size_t arm) {
 /// In the world that is entered, with the plugins of an arm.
 opal::LocalizerParts LocalizingRunner::parts_of(opal::Deployment deployment, std::size_t arm) const {
   deployment = with_lasers(std::move(deployment), world_->place.deployment.lasers);
-  if (world_->region)
-    deployment.stages.search.region = opal::RegionPrior{world_->region->center, world_->region->radius_m};
+  if (world_->region) deployment.stages.search.region = world_->region;
   return build_parts(deployment, *plugins_[arm].registry, world_->place.site.map);
 }
 

@@ -16,8 +16,8 @@ namespace opal::benchmark {
 struct World {
   BenchPlace place;  ///< with the baseline's deployment
   opal::GroundTruth truth;
-  std::optional<opal::simulation::StartRegion> region;  ///< that robots are told
-  std::string digest;                                   ///< of all that robots are given: map, log, laser, region
+  std::optional<opal::RegionPrior> region;  ///< that robots are told
+  std::string digest;                       ///< of all that robots are given: map, log, laser, region
 
   const opal::Query& query(std::size_t position) const { return place.queries[position]; }
 };

@@ -49,7 +49,7 @@ ChallengeDrive drive(const Challenge& challenge, std::shared_ptr<const SemanticM
     Random off(static_cast<std::uint64_t>(2000 + challenge.route));
     const Point start = driven.recording.scans.front().T_map_base.position();
     const double bearing_rad = off.uniform(-std::numbers::pi, std::numbers::pi);
-    driven.region = StartRegion{start + 0.5 * *challenge.region_m * unit_vector(bearing_rad), *challenge.region_m};
+    driven.region = RegionPrior{start + 0.5 * *challenge.region_m * unit_vector(bearing_rad), *challenge.region_m};
   }
   return driven;
 }

@@ -2,17 +2,13 @@
 
 #include "simulation/drives/recording.hpp"
 
+#include <opal/localization/options/localizer_options.hpp>
+
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace opal::simulation {
-
-/// Where the robot is known to be at first.
-struct StartRegion {
-  Point center = Point::Zero();
-  double radius_m = 0;
-};
 
 /// One localization task without control over the robot: a start, a way, and what stands there.
 struct Challenge {
@@ -30,7 +26,7 @@ std::vector<Challenge> thesis3_challenges();
 /// One minute of driving as somebody steers the robot from the challenge's start.
 struct ChallengeDrive {
   Recording recording;
-  std::optional<StartRegion> region;  ///< frame `map`
+  std::optional<RegionPrior> region;  ///< around the start, that the robot is told
 };
 
 /// @param seed  of noise, clutter and people; start and goals do not depend on it.

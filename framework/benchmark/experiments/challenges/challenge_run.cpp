@@ -48,8 +48,7 @@ ChallengeRun run_challenge(const Contender& contender, const PluginRegistry& reg
                            std::shared_ptr<const SemanticMap> map, const simulation::ChallengeDrive& driven) {
   const simulation::Recording& recording = driven.recording;
   Deployment deployment = with_lasers(contender.deployment, {recording.laser});
-  if (driven.region)
-    deployment.stages.search.region = opal::RegionPrior{driven.region->center, driven.region->radius_m};
+  if (driven.region) deployment.stages.search.region = driven.region;
   Localizer localizer(build_parts(deployment, registry, std::move(map)));
   ChallengeRun run;
   run.contender = contender.name;

@@ -16,7 +16,7 @@ namespace opal::experiments {
 struct ChallengeRun {
   std::string contender, challenge;
   std::uint64_t seed = 0;
-  std::optional<simulation::StartRegion> region;        ///< that the robot was told
+  std::optional<RegionPrior> region;                    ///< that the robot was told
   bool success = false;                                 ///< the best hypothesis becomes right and stays so to the end
   std::optional<double> right_after_m;                  ///< until it was so
   std::optional<double> localized_after_m;              ///< until the first `localized`
