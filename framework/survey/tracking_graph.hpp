@@ -16,25 +16,21 @@ struct PosePrior {
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Identity();  ///< of (x, y, heading), map frame
 };
 
-/// What is remembered of a feature's offset from before the horizon.
-struct OffsetMemory {
+/// How far a feature is from where the map has it.
+struct FeatureOffset {
   Point moved = Point::Zero();
-  double sigma_m = 0;  ///< 0: nothing is remembered
+  double sigma_m = 0;  ///< 0: nothing is known
 };
 
-using OffsetMemories = ListById<MapFeatureNumber, OffsetMemory>;
-
-struct SolvedOffset {
-  Point moved = Point::Zero();
-  double sigma_m = 0;
-};
+/// What is remembered of offsets from before the horizon.
+using OffsetMemories = ListById<MapFeatureNumber, FeatureOffset>;
 
 /// Poses as solved, oldest first, and the offsets of all features that were measured from them.
 struct SolvedTrack {
   bool usable = false;
   std::vector<Pose2> T_map_base;
   std::vector<Eigen::Matrix3d> covariances;  ///< per pose, map frame; empty for a batch
-  std::map<MapFeatureNumber, SolvedOffset> offsets;
+  std::map<MapFeatureNumber, FeatureOffset> offsets;
 };
 
 /// Told how much of the work that there may be is done; false ends it. Empty: to the end.
@@ -65,7 +61,7 @@ struct TrackLeg {
 struct SolvedLegs {
   bool usable = false;
   std::vector<std::vector<Pose2>> T_map_base;  ///< per leg, per keyframe
-  std::map<MapFeatureNumber, SolvedOffset> offsets;
+  std::map<MapFeatureNumber, FeatureOffset> offsets;
 };
 
 /// The factor graph of map-first tracking (Hendrikx 2023, 2.4): poses, linked by odometry and scan matching; measured

@@ -13,7 +13,7 @@ namespace {
 constexpr double kLeastPriorSigma_m = 0.05, kLeastPriorSigma_rad = 0.02;
 
 /// What was counted where the feature is not, is forgotten.
-void update(FeatureBelief& belief, const SolvedOffset& offset) {
+void update(FeatureBelief& belief, const FeatureOffset& offset) {
   constexpr double kElsewhere_m = 0.15;
   if ((offset.moved - belief.moved).norm() > kElsewhere_m) belief.seen = belief.seen_through = 0;
   belief.moved = offset.moved;

@@ -130,7 +130,7 @@ class TrackingProblem {
     }
     std::map<MapFeatureNumber, double> epochs;
     for (const auto& [key, offset] : offsets_) {
-      SolvedOffset& solved = track.offsets[key.first];
+      FeatureOffset& solved = track.offsets[key.first];
       const double n = ++epochs[key.first];
       solved.moved += (moved_by(key.first, offset) - solved.moved) / n;
     }
@@ -138,7 +138,7 @@ class TrackingProblem {
   }
 
   /// First-order one-sigmas of the offsets, of as many poses as there are.
-  void add_offset_sigmas(std::map<MapFeatureNumber, SolvedOffset>& solved) {
+  void add_offset_sigmas(std::map<MapFeatureNumber, FeatureOffset>& solved) {
     ceres::Problem::EvaluateOptions order;
     for (double* pose : poses_) order.parameter_blocks.push_back(pose);
     for (auto& [key, offset] : offsets_) order.parameter_blocks.push_back(offset);
