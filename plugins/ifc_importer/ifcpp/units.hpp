@@ -4,6 +4,8 @@
 
 #include "values.hpp"
 
+#include <opal/import_kit/length_unit.hpp>
+
 #include <ifcpp/IFC4/include/IfcConversionBasedUnit.h>
 #include <ifcpp/IFC4/include/IfcLengthMeasure.h>
 #include <ifcpp/IFC4/include/IfcMeasureWithUnit.h>
@@ -19,11 +21,6 @@
 #include <ifcpp/model/UnitConverter.h>
 
 namespace opal::ifc_importer::ifcpp {
-
-struct LengthUnit {
-  std::string name;
-  double metres = 1;
-};
 
 inline double factor_of(const shared_ptr<IfcSIPrefix>& prefix) {
   if (!prefix) return 1;
