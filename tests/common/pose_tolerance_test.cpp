@@ -1,4 +1,4 @@
-#include "common/place_tolerance.hpp"
+#include "common/pose_tolerance.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -7,20 +7,20 @@
 namespace opal {
 namespace {
 
-constexpr PlaceTolerance kTolerance{0.3, 0.1};
+constexpr PoseTolerance kTolerance{0.3, 0.1};
 
 }  // namespace
 
 TEST_CASE("two poses are one place if they are near and turned alike") {
   const Pose2 pose(5, -2, 1);
-  CHECK(kTolerance.same(pose, pose));
-  CHECK(kTolerance.same(pose, Pose2(5.2, -2.2, 1.05)));
-  CHECK_FALSE(kTolerance.same(pose, Pose2(5.31, -2, 1)));
-  CHECK_FALSE(kTolerance.same(pose, Pose2(5, -2, 1.11)));
+  CHECK(kTolerance.holds(pose, pose));
+  CHECK(kTolerance.holds(pose, Pose2(5.2, -2.2, 1.05)));
+  CHECK_FALSE(kTolerance.holds(pose, Pose2(5.31, -2, 1)));
+  CHECK_FALSE(kTolerance.holds(pose, Pose2(5, -2, 1.11)));
 }
 
 TEST_CASE("headings on both sides of half a turn are alike") {
-  CHECK(kTolerance.same(Pose2(0, 0, std::numbers::pi - 0.04), Pose2(0, 0, -std::numbers::pi + 0.04)));
+  CHECK(kTolerance.holds(Pose2(0, 0, std::numbers::pi - 0.04), Pose2(0, 0, -std::numbers::pi + 0.04)));
 }
 
 }  // namespace opal

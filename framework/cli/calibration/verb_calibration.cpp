@@ -20,7 +20,7 @@ namespace {
 struct CalibrationOptions {
   std::vector<std::string> runs;
   std::string truth, out;
-  PoseTolerance right;
+  PoseTolerance right = kRightPose;
 };
 
 CalibrationChapter chapter_of(const std::string& title, std::span<const Statement> statements) {

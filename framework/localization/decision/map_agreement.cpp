@@ -1,6 +1,6 @@
 #include "localization/decision/map_agreement.hpp"
 
-#include "common/place_tolerance.hpp"
+#include "common/pose_tolerance.hpp"
 
 #include <algorithm>
 #include <cmath>

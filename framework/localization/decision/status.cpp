@@ -71,14 +71,14 @@ void StatusEstimator::weigh(const std::vector<Live>& alive, const Pose2& T_local
     const Live& live = alive[k];
     const Pose2 pose = live.hypothesis.T_map_local * T_local_base;
     const double probability = belief_.hypotheses[k];
-    if (kSamePlace.same(pose, estimate.T_map_base)) {
+    if (kSamePlace.holds(pose, estimate.T_map_base)) {
       estimate.probability += probability;
       continue;
     }
     const double behind_nat = best_nat - live.hypothesis.log_likelihood;
     lead_.nat = std::min(lead_.nat, behind_nat);
     const auto alternative = std::find_if(estimate.alternatives.begin(), estimate.alternatives.end(),
-                                          [&](const auto& r) { return kSamePlace.same(r.T_map_base, pose); });
+                                          [&](const auto& r) { return kSamePlace.holds(r.T_map_base, pose); });
     if (alternative != estimate.alternatives.end())
       alternative->probability += probability;
     else if (probability > kAlternativeProbability || behind_nat < lead_asked_nat())
@@ -107,7 +107,7 @@ void StatusEstimator::gather(const Live& best, const PoseEstimate& estimate, con
 
 StatusEstimator::Judgement StatusEstimator::judge(const Live& best, const Pose2& T_local_base,
                                                   const PoseEstimate& estimate, const Circumstances& now) {
-  const bool same = last_.has_pose && kSamePlace.same(T_map_local_ * T_local_base, estimate.T_map_base);
+  const bool same = last_.has_pose && kSamePlace.holds(T_map_local_ * T_local_base, estimate.T_map_base);
   gather(best, estimate, now, same);
   if (!contradiction_.empty()) {
     (evidence_ == Evidence::spoilt ? sure_ : unbroken_) = 0;

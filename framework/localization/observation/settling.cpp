@@ -1,20 +1,20 @@
 #include "localization/observation/settling.hpp"
 
-#include "common/place_tolerance.hpp"
+#include "common/pose_tolerance.hpp"
 
 #include <cmath>
 
 namespace opal {
 namespace {
 
-constexpr PlaceTolerance kAtRest{0.01, 0.005};
+constexpr PoseTolerance kAtRest{0.01, 0.005};
 constexpr double kFirst_s = 0.2;  // after the stop; then after twice that, and so on
 constexpr int kLooks = 4;
 
 }  // namespace
 
 bool Settling::add(double stamp_s, const Pose2& T_odom_base) {
-  const bool rests = stamp_s >= rest_s_ && kAtRest.same(T_odom_base, T_odom_rest_);
+  const bool rests = stamp_s >= rest_s_ && kAtRest.holds(T_odom_base, T_odom_rest_);
   if (!rests) {
     rest_s_ = stamp_s;
     T_odom_rest_ = T_odom_base;

@@ -14,7 +14,7 @@ constexpr int kFeaturesPerGeometry = 8;
 // Along a pattern's free direction: half of what alignment recovers from.
 constexpr double kSweepStep_m = 0.2;
 // Candidates nearer than this are one: alignment recovers from 0.4 m, and so finds either from the other.
-constexpr PlaceTolerance kProposedApart{0.35, 0.12};
+constexpr PoseTolerance kProposedApart{0.35, 0.12};
 
 /// The `most` best features of each geometry.
 std::vector<SearchFeature> best_per_geometry(std::span<const SearchFeature> features, int most) {
@@ -198,7 +198,7 @@ CandidateGenerator::Proposal CandidateGenerator::propose(Inquiry inquiry) const 
   return proposal;
 }
 
-std::vector<std::size_t> distinct_places(std::span<const Pose2> poses, const PlaceTolerance& apart, std::size_t most) {
+std::vector<std::size_t> distinct_places(std::span<const Pose2> poses, const PoseTolerance& apart, std::size_t most) {
   std::unordered_map<std::int64_t, std::vector<std::size_t>> kept_by_cell;
   const auto cell = [&](double v) { return static_cast<std::int64_t>(std::floor(v / apart.position_m)); };
   const auto key = [](std::int64_t i, std::int64_t j) { return i * 73856093 ^ j * 19349663; };
@@ -210,7 +210,7 @@ std::vector<std::size_t> distinct_places(std::span<const Pose2> poses, const Pla
       for (std::int64_t b = j - 1; b <= j + 1 && !taken; ++b) {
         const auto it = kept_by_cell.find(key(a, b));
         if (it == kept_by_cell.end()) continue;
-        for (std::size_t other : it->second) taken = taken || apart.same(poses[other], poses[k]);
+        for (std::size_t other : it->second) taken = taken || apart.holds(poses[other], poses[k]);
       }
     if (taken) continue;
     kept_by_cell[key(i, j)].push_back(k);

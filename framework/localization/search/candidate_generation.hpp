@@ -1,6 +1,6 @@
 #pragma once
 
-#include "common/place_tolerance.hpp"
+#include "common/pose_tolerance.hpp"
 #include "localization/search/candidate.hpp"
 #include "localization/search/coarse_to_fine.hpp"
 #include "localization/search/pattern_lookup.hpp"
@@ -109,6 +109,6 @@ class CandidateGenerator::Inquiry {
 
 /// The best candidates such that no two are at one place; at most `most`.
 OPAL_EXPORT std::vector<std::size_t> distinct_places(std::span<const Pose2> poses_best_first,
-                                                     const PlaceTolerance& apart, std::size_t most);
+                                                     const PoseTolerance& apart, std::size_t most);
 
 }  // namespace opal

@@ -24,9 +24,9 @@ constexpr int kIterations = 4;  // one less than usual: a candidate is aligned t
 constexpr double kHintSigmas = 2, kHintMost_m = 2, kHintMost_rad = 0.6, kHintStep_m = 0.25, kHintStep_rad = 0.1;
 constexpr std::size_t kHintPlaces = 20;  // that scorers judge
 // Aligned candidates nearer than this are one place: alignment ends within a step or two of the same pose.
-constexpr PlaceTolerance kAlignedApart{0.2, 0.06};
+constexpr PoseTolerance kAlignedApart{0.2, 0.06};
 // Of the grid about a hint no two neighbours are kept: alignment reaches from one to the other.
-constexpr PlaceTolerance kHintedApart{0.3, 0.12};
+constexpr PoseTolerance kHintedApart{0.3, 0.12};
 
 std::vector<const Hypothesis*> pointers_to(const std::vector<Hypothesis>& hypotheses) {
   std::vector<const Hypothesis*> pointers;

@@ -1,7 +1,7 @@
 #include "localization/tree/hypothesis_set.hpp"
 
 #include "common/phrases.hpp"
-#include "common/place_tolerance.hpp"
+#include "common/pose_tolerance.hpp"
 
 #include <fmt/format.h>
 
@@ -13,10 +13,10 @@ namespace opal {
 namespace {
 
 // Hypotheses nearer than this are one: alignment brings both to the same pose.
-constexpr PlaceTolerance kMerge{0.3, 0.1};
+constexpr PoseTolerance kMerge{0.3, 0.1};
 // A candidate nearer than this to a hypothesis renews it. The two come from different scans and priors, so one place
 // has them a little further apart than two hypotheses of one scan.
-constexpr PlaceTolerance kRenewed{kMerge.position_m + 0.1, kMerge.heading_rad + 0.05};
+constexpr PoseTolerance kRenewed{kMerge.position_m + 0.1, kMerge.heading_rad + 0.05};
 // A candidate that gains less over a hypothesis at its place is as good as that: alignment from another guess ends a
 // little elsewhere.
 constexpr double kRenewalGain_nat = 0.3;
@@ -137,7 +137,7 @@ void HypothesisSet::take_comparisons() {
 Live* HypothesisSet::at_place_of(const Candidate& candidate, const Pose2& T_local_base) {
   const auto same_place = [&](const Live& live) {
     const Pose2 T_map_base = live.hypothesis.T_map_local * T_local_base;
-    return kRenewed.same(T_map_base, candidate.T_map_base);
+    return kRenewed.holds(T_map_base, candidate.T_map_base);
   };
   const auto found = std::find_if(alive_.begin(), alive_.end(), same_place);
   return found == alive_.end() ? nullptr : &*found;
@@ -244,7 +244,7 @@ void HypothesisSet::merge(const Pose2& T_local_base) {
       if (ended(alive_[b])) continue;
       const Pose2 T_a = alive_[a].hypothesis.T_map_local * T_local_base;
       const Pose2 T_b = alive_[b].hypothesis.T_map_local * T_local_base;
-      if (kMerge.same(T_a, T_b))
+      if (kMerge.holds(T_a, T_b))
         end(alive_[b], "same place as hypothesis " + to_string(alive_[a].hypothesis.id), alive_[a].hypothesis.id);
     }
   }

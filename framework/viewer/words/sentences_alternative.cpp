@@ -20,7 +20,7 @@ std::vector<const TracedHypothesis*> alternatives_of(const TracedHypothesis& bes
   std::vector<const TracedHypothesis*> alternatives;
   for (const auto& [id, hypothesis] : state.alive())
     if (id != best.id && hypothesis.probability >= kLeastProbability &&
-        !kSamePlace.same(hypothesis.T_map_base, best.T_map_base))
+        !kSamePlace.holds(hypothesis.T_map_base, best.T_map_base))
       alternatives.push_back(&hypothesis);
   std::sort(alternatives.begin(), alternatives.end(), [](const auto* a, const auto* b) {
     return a->probability != b->probability ? a->probability > b->probability : a->id < b->id;

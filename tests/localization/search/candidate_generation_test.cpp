@@ -65,10 +65,10 @@ TEST_CASE("places are kept as by a comparison of each with all that are kept, th
   std::vector<Pose2> poses;
   for (int k = 0; k < 400; ++k)
     poses.emplace_back(random.uniform(-3, 3), random.uniform(-3, 3), random.uniform(-0.5, 0.5));
-  const PlaceTolerance apart{0.5, 0.3};
+  const PoseTolerance apart{0.5, 0.3};
   std::vector<std::size_t> expected;
   for (std::size_t k = 0; k < poses.size(); ++k)
-    if (std::ranges::none_of(expected, [&](std::size_t kept) { return apart.same(poses[kept], poses[k]); }))
+    if (std::ranges::none_of(expected, [&](std::size_t kept) { return apart.holds(poses[kept], poses[k]); }))
       expected.push_back(k);
   REQUIRE(expected.size() > 50);
   CHECK(distinct_places(poses, apart, 1000) == expected);
