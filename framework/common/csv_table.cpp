@@ -3,8 +3,6 @@
 #include <opal/common/error.hpp>
 #include <opal/common/number_text.hpp>
 
-#include <cmath>
-
 namespace opal {
 namespace {
 

@@ -4,7 +4,6 @@
 
 #include <fstream>
 #include <map>
-#include <optional>
 #include <string>
 #include <vector>
 

@@ -4,7 +4,6 @@
 
 #include <cairo.h>
 
-#include <array>
 #include <memory>
 #include <span>
 #include <string>

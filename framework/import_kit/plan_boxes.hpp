@@ -6,7 +6,6 @@
 #include <boost/geometry/geometries/point.hpp>
 #include <boost/geometry/index/rtree.hpp>
 
-#include <iterator>
 #include <utility>
 #include <vector>
 

@@ -2,7 +2,6 @@
 
 #include "local_map/graph_factors.hpp"
 
-#include <algorithm>
 #include <map>
 
 namespace opal {

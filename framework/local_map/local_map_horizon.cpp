@@ -2,8 +2,6 @@
 
 #include "local_map/local_map_merging.hpp"
 
-#include <algorithm>
-
 namespace opal {
 namespace {
 

@@ -1,7 +1,5 @@
 #include "local_map/local_map_odometry.hpp"
 
-#include <algorithm>
-
 namespace opal {
 Eigen::Vector3d odometry_sigma(const Pose2& T_from_to, const LocalMapOptions& options) {
   const double driven_m = T_from_to.position().norm();

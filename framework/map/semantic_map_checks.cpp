@@ -3,9 +3,7 @@
 #include "map/claimed_names.hpp"
 #include "map/map_vocabulary.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <map>
 #include <numbers>
 #include <string_view>
 #include <unordered_map>

@@ -7,7 +7,6 @@
 #include "map_tools/floor_grid.hpp"
 
 #include <deque>
-#include <memory>
 #include <optional>
 #include <vector>
 

@@ -3,7 +3,6 @@
 #include "navigation/blackboard.hpp"
 
 #include <memory>
-#include <string>
 #include <vector>
 
 namespace opal::navigation {

@@ -1,7 +1,5 @@
 #include <opal/patterns/pattern_member.hpp>
 
-#include <algorithm>
-
 namespace opal {
 namespace {
 

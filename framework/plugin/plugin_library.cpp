@@ -3,8 +3,6 @@
 #include "plugin/elf_check.hpp"
 #include "plugin/refusal.hpp"
 
-#include <opal/common/error.hpp>
-
 #include <vector>  // library_info.hpp of Boost 1.74 misses it under BOOST_DLL_USE_STD_FS
 
 #include <dlfcn.h>

@@ -2,8 +2,6 @@
 
 #include "python/values/json.hpp"
 
-#include <utility>
-
 namespace opal::python {
 
 namespace py = pybind11;

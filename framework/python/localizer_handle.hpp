@@ -10,7 +10,6 @@
 #include <opal/localization/scoring/hypothesis.hpp>
 
 #include <atomic>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <string>

@@ -5,8 +5,6 @@
 #include "python/values/arrays.hpp"
 #include "sensing/log_check.hpp"
 
-#include <opal/common/error.hpp>
-
 #include <pybind11/stl.h>
 
 #include <limits>

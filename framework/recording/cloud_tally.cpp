@@ -1,7 +1,6 @@
 #include "recording/cloud_tally.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace opal::recording {
 namespace {

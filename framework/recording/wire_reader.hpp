@@ -2,7 +2,6 @@
 
 #include <opal/recording/recording.hpp>
 
-#include <bit>
 #include <cstring>
 #include <optional>
 #include <string>

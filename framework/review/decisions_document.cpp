@@ -3,8 +3,6 @@
 #include "common/json/config_object.hpp"
 #include "common/phrases.hpp"
 
-#include <opal/common/error.hpp>
-
 #include <array>
 
 namespace opal {

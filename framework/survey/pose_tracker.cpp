@@ -4,7 +4,6 @@
 #include "localization/alignment/registration.hpp"
 
 #include "common/turned_covariance.hpp"
-#include "localization/alignment/pose_step.hpp"
 #include "localization/observation/observation.hpp"
 #include "survey/fused_motion.hpp"
 #include "survey/odometry_direction.hpp"

@@ -14,7 +14,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <map>
 
 namespace opal::dxf_importer {
 namespace {

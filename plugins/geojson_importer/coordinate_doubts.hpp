@@ -4,7 +4,6 @@
 #include "plan_elements.hpp"
 
 #include <string>
-#include <vector>
 
 namespace opal::geojson_importer {
 

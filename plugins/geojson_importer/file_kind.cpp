@@ -1,7 +1,5 @@
 #include "file_kind.hpp"
 
-#include "geojson_reader.hpp"
-
 #include <opal/common/letter_case.hpp>
 
 #include <algorithm>

@@ -1,7 +1,6 @@
 #include "massive_walls.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 
 namespace opal::geojson_importer {

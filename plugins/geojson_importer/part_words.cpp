@@ -4,8 +4,6 @@
 
 #include <opal/common/letter_case.hpp>
 
-#include <algorithm>
-#include <iterator>
 #include <string_view>
 #include <vector>
 

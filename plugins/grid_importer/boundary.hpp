@@ -2,7 +2,6 @@
 
 #include "grid.hpp"
 
-#include <array>
 #include <cstdint>
 #include <vector>
 

@@ -1,7 +1,5 @@
 #include "report.hpp"
 
-#include "map_assembly.hpp"
-
 #include <opal/common/quantile.hpp>
 
 #include <fmt/format.h>
@@ -9,8 +7,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
-#include <numbers>
 
 namespace opal::grid_importer {
 namespace {

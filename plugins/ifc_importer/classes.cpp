@@ -4,7 +4,6 @@
 
 #include <opal/common/error.hpp>
 
-#include <algorithm>
 #include <array>
 
 namespace opal::ifc_importer {

@@ -3,7 +3,6 @@
 #include "point_nodes.hpp"
 
 #include <algorithm>
-#include <utility>
 
 namespace opal::ifc_importer {
 namespace {

@@ -12,7 +12,6 @@
 #include <map>
 #include <optional>
 #include <set>
-#include <utility>
 
 namespace opal::ifc_importer {
 namespace {

@@ -3,7 +3,6 @@
 #include "gap_closing.hpp"
 #include "line_mesh.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <map>
 #include <numbers>

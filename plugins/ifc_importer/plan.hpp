@@ -2,7 +2,6 @@
 
 #include "region.hpp"
 
-#include <string>
 #include <vector>
 
 namespace opal::ifc_importer {

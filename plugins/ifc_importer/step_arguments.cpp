@@ -1,7 +1,6 @@
 #include "step_arguments.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <charconv>
 #include <utility>
 

@@ -2,8 +2,6 @@
 
 #include <bzlib.h>
 
-#include <algorithm>
-
 namespace opal::ros1_bag {
 namespace {
 

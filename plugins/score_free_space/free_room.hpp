@@ -4,7 +4,6 @@
 
 #include <Eigen/Geometry>
 
-#include <array>
 #include <vector>
 
 namespace opal::score_free_space {

@@ -8,7 +8,6 @@
 #include "benchmark/ab/records/program_files.hpp"
 #include "common/digest/sha256.hpp"
 
-#include <opal/common/error.hpp>
 #include "common/whole_file.hpp"
 #include "deployment/class_files.hpp"
 #include "evaluation/query_verdict.hpp"
@@ -18,7 +17,6 @@
 
 #include <algorithm>
 #include <numeric>
-#include <set>
 
 namespace opal::benchmark {
 namespace {

@@ -5,14 +5,11 @@
 #include "benchmark/ab/execution/child_process.hpp"
 #include "common/whole_file.hpp"
 
-#include <opal/common/error.hpp>
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <filesystem>
 #include <functional>
-#include <iostream>
 
 namespace opal::benchmark {
 namespace {

@@ -6,7 +6,6 @@
 #include <opal/deployment/deployment.hpp>
 #include "evaluation/site.hpp"
 
-#include <string>
 #include <vector>
 
 namespace opal::benchmark {

@@ -3,7 +3,6 @@
 #include "viewer/html/page.hpp"
 #include "viewer/words/explanation.hpp"
 
-#include <opal/common/error.hpp>
 #include "common/text_file.hpp"
 
 #include <filesystem>

@@ -6,7 +6,6 @@
 #include <boost/math/distributions/normal.hpp>
 
 #include <cmath>
-#include <string>
 
 namespace opal::statistics {
 namespace {

@@ -12,7 +12,6 @@
 #include "session/shipped_files.hpp"
 
 #include <opal/common/error.hpp>
-#include <opal/common/strict_json.hpp>
 #include <opal/deployment/deployment.hpp>
 #include <opal/sensing/replay.hpp>
 

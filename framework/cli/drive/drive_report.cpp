@@ -3,7 +3,6 @@
 #include "benchmark/experiments/kit/order_statistics.hpp"
 #include "benchmark/experiments/kit/summary_json.hpp"
 
-#include <opal/common/error.hpp>
 #include "common/phrases.hpp"
 #include "common/text_file.hpp"
 #include "drawing/drawing.hpp"

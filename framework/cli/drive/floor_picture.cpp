@@ -4,8 +4,6 @@
 #include "drawing/drawing.hpp"
 #include "report/quantity_text.hpp"
 
-#include <algorithm>
-
 namespace opal::cli {
 
 std::string draw_floor(const simulation::Simulation& simulation, const Point& refused,

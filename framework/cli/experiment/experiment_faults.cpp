@@ -12,8 +12,6 @@
 #include "benchmark/experiments/faults/fault_report.hpp"
 #include "benchmark/experiments/kit/in_parallel.hpp"
 
-#include "common/whole_file.hpp"
-
 #include <opal/common/error.hpp>
 
 #include <iostream>

@@ -5,7 +5,6 @@
 #include "session/session.hpp"
 #include "session/stored_maps.hpp"
 
-#include <opal/common/error.hpp>
 #include "map/map_file.hpp"
 
 #include <algorithm>

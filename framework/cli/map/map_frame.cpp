@@ -3,7 +3,6 @@
 
 #include "session/session.hpp"
 
-#include <opal/common/error.hpp>
 #include <opal/common/strict_json.hpp>
 #include "common/text_file.hpp"
 #include "map_tools/map_frame.hpp"

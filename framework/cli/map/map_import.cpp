@@ -8,7 +8,6 @@
 #include "session/session.hpp"
 #include "session/shipped_files.hpp"
 
-#include <opal/common/error.hpp>
 #include "common/text_file.hpp"
 #include "map/map_file.hpp"
 

@@ -4,7 +4,6 @@
 
 #include "session/session.hpp"
 
-#include <opal/common/error.hpp>
 #include "map/map_file.hpp"
 #include "map/overlay/map_overlay.hpp"
 

@@ -9,7 +9,6 @@
 #include "review/review_server.hpp"
 #include "session/session.hpp"
 
-#include <opal/common/error.hpp>
 #include <opal/common/strict_json.hpp>
 
 #include <condition_variable>

@@ -11,7 +11,6 @@
 #include "ros2/robot_check.hpp"
 #include "ros2/robot_node.hpp"
 #include "session/session.hpp"
-#include "session/shipped_files.hpp"
 
 #include <opal/common/error.hpp>
 #include <opal/deployment/deployment.hpp>

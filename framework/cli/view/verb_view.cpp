@@ -7,10 +7,7 @@
 #include "viewer/words/explanation.hpp"
 #include "viewer/words/moment.hpp"
 
-#include <opal/common/error.hpp>
-
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <optional>
 

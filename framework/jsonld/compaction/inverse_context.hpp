@@ -3,7 +3,6 @@
 #include "jsonld/context/context.hpp"
 
 #include <map>
-#include <memory>
 #include <set>
 #include <string>
 #include <string_view>

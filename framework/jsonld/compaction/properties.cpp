@@ -1,6 +1,5 @@
 // JSON-LD 1.1 API, 6.1.2, steps 12.7 and 12.8: the values of a property, and the containers that they stand in.
 #include "jsonld/compaction/compaction.hpp"
-#include "jsonld/context/iri.hpp"
 
 #include <utility>
 

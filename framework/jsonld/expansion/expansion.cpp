@@ -4,7 +4,6 @@
 #include "jsonld/context/iri.hpp"
 
 #include <algorithm>
-#include <array>
 #include <string_view>
 #include <utility>
 

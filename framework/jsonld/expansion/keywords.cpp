@@ -1,5 +1,4 @@
 // JSON-LD 1.1 API, 5.1.2, step 13.4: entries whose key is a keyword or an alias of one.
-#include "jsonld/context/iri.hpp"
 #include "jsonld/context/term.hpp"
 #include "jsonld/expansion/expansion.hpp"
 

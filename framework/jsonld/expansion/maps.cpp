@@ -1,6 +1,5 @@
 // JSON-LD 1.1 API, 5.1.2, steps 13.7 and 13.8: containers that are objects keyed by language, index, id or
 // type.
-#include "jsonld/context/iri.hpp"
 #include "jsonld/expansion/expansion.hpp"
 
 #include <utility>

@@ -1,8 +1,6 @@
 // JSON-LD 1.1 API, 7.2.1: Node Map Generation. Numbers in comments are steps of that section.
 #include "jsonld/framing/node_map.hpp"
 
-#include "jsonld/context/iri.hpp"
-
 #include <utility>
 
 namespace opal::json_ld {

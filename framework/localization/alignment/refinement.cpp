@@ -4,8 +4,6 @@
 
 #include <Eigen/Dense>
 
-#include <algorithm>
-
 namespace opal {
 namespace {
 

@@ -2,8 +2,6 @@
 
 #include "common/json/event_json.hpp"
 
-#include <algorithm>
-
 namespace opal {
 namespace {
 

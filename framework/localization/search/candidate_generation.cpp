@@ -3,7 +3,6 @@
 #include "localization/alignment/registration.hpp"
 
 #include <algorithm>
-#include <numeric>
 #include <unordered_map>
 
 namespace opal {

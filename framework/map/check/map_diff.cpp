@@ -3,7 +3,6 @@
 #include "common/phrases.hpp"
 #include "map/document/map_notes.hpp"
 #include "map/document/storeys_document.hpp"
-#include "map/semantic_map_storeys.hpp"
 
 #include <fmt/format.h>
 

@@ -7,10 +7,7 @@
 #include "map/document/storeys_document.hpp"
 #include "map/map_vocabulary.hpp"
 
-#include <opal/common/error.hpp>
-
 #include <algorithm>
-#include <cmath>
 
 namespace opal {
 namespace {

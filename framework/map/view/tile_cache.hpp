@@ -4,7 +4,6 @@
 #include "map/view/surface_tiles.hpp"
 
 #include <filesystem>
-#include <string>
 
 namespace opal {
 

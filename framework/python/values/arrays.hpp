@@ -5,7 +5,6 @@
 #include <pybind11/numpy.h>
 
 #include <span>
-#include <string>
 #include <vector>
 
 namespace opal::python {

@@ -4,10 +4,8 @@
 
 #include <Eigen/Core>
 
-#include <cstdint>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace opal::ros2 {

@@ -2,8 +2,6 @@
 
 #include "ros2/messages/wire_types.hpp"
 
-#include <opal/common/error.hpp>
-
 namespace opal::ros2 {
 namespace {
 

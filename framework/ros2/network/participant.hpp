@@ -6,7 +6,6 @@
 
 #include <dds/dds.h>
 
-#include <cstdint>
 #include <functional>
 #include <optional>
 #include <string>

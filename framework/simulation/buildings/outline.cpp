@@ -1,7 +1,5 @@
 #include "simulation/buildings/outline.hpp"
 
-#include <algorithm>
-
 namespace opal::simulation {
 namespace {
 

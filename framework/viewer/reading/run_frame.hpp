@@ -6,7 +6,6 @@
 #include <opal/map/map_numbers.hpp>
 
 #include <array>
-#include <map>
 #include <optional>
 #include <string>
 #include <vector>

@@ -2,8 +2,6 @@
 
 #include "benchmark/ab/execution/child_process.hpp"
 
-#include <opal/common/error.hpp>
-
 #include <chrono>
 #include <limits>
 

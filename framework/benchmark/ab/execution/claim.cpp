@@ -1,6 +1,5 @@
 #include "benchmark/ab/execution/claim.hpp"
 
-#include <opal/common/error.hpp>
 #include "common/write_error.hpp"
 #include "output/output_folder.hpp"
 

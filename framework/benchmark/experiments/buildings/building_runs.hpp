@@ -4,9 +4,6 @@
 
 #include "simulation/drives/building_suite.hpp"
 
-#include <functional>
-#include <map>
-
 namespace opal::experiments {
 
 /// How a run ended, from best to worst.

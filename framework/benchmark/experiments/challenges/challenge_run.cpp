@@ -1,7 +1,5 @@
 #include "benchmark/experiments/challenges/challenge_run.hpp"
 
-#include <opal/sensing/replay.hpp>
-
 #include <algorithm>
 
 namespace opal::experiments {

@@ -6,7 +6,6 @@
 #include "simulation/drives/challenges.hpp"
 
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
 

@@ -5,8 +5,6 @@
 #include "benchmark/ab/records/journal.hpp"
 #include "common/stage_clock.hpp"
 
-#include <opal/common/error.hpp>
-
 #include <fmt/format.h>
 
 #include <chrono>

@@ -4,8 +4,6 @@
 #include "evaluation/pose_tolerance.hpp"
 #include "live/live_core.hpp"
 
-#include <algorithm>
-
 namespace opal::experiments {
 namespace {
 

@@ -6,11 +6,9 @@
 #include <opal/localization/events/event_stream.hpp>
 
 #include <functional>
-#include <limits>
 #include <map>
 #include <optional>
 #include <string>
-#include <vector>
 
 namespace opal::experiments {
 

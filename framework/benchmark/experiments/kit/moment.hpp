@@ -3,8 +3,6 @@
 #include <opal/localization/localizer.hpp>
 #include "evaluation/pose_tolerance.hpp"
 
-#include <vector>
-
 namespace opal::experiments {
 
 /// What was said about one scan, beside the truth.

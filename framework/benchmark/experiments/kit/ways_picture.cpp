@@ -6,7 +6,6 @@
 #include <Eigen/Geometry>
 
 #include <array>
-#include <sstream>
 
 namespace opal::experiments {
 namespace {

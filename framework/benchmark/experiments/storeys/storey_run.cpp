@@ -7,8 +7,6 @@
 #include "map_tools/map_stack.hpp"
 #include "simulation/drives/faults.hpp"
 
-#include <algorithm>
-
 namespace opal::experiments {
 namespace {
 

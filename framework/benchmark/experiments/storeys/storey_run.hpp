@@ -8,7 +8,6 @@
 #include <limits>
 #include <optional>
 #include <string>
-#include <vector>
 
 namespace opal::experiments {
 
