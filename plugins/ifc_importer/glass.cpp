@@ -40,35 +40,32 @@ Words words_of(const std::string& text) {
   return words;
 }
 
-template <std::size_t N, class Test>
-bool any_of(const std::array<std::string_view, N>& parts, Test test) {
-  return std::ranges::any_of(parts, test);
-}
-
 template <std::size_t N>
 bool begins(const std::string& word, const std::array<std::string_view, N>& parts) {
-  return any_of(parts, [&](std::string_view part) { return word.starts_with(part); });
+  return std::ranges::any_of(parts, [&](std::string_view part) { return word.starts_with(part); });
 }
 
 template <std::size_t N>
 bool holds(const std::string& word, const std::array<std::string_view, N>& parts) {
-  return any_of(parts, [&](std::string_view part) { return word.find(part) != std::string::npos; });
+  return std::ranges::any_of(parts, [&](std::string_view part) { return word.find(part) != std::string::npos; });
 }
 
 bool is_opaque(const std::string& word) {
-  return holds(word, kOpaque) || any_of(kOpaqueWords, [&](std::string_view other) { return word == other; });
+  return holds(word, kOpaque) ||
+         std::ranges::any_of(kOpaqueWords, [&](std::string_view other) { return word == other; });
 }
 
 bool is_word_of_glass(const std::string& word) {
   if (begins(word, kOthers)) return false;
   return begins(word, kBegins) || holds(word, kWithin) ||
-         any_of(kEnds, [&](std::string_view part) { return word.ends_with(part); });
+         std::ranges::any_of(kEnds, [&](std::string_view part) { return word.ends_with(part); });
 }
 
 bool is_air(const std::string& material) {
   const Words words = words_of(material);
   return material.empty() || std::ranges::any_of(words, [](const std::string& word) {
-           return any_of(kAir, [&](std::string_view air) { return word == air; }) || word.starts_with("luft");
+           return std::ranges::any_of(kAir, [&](std::string_view air) { return word == air; }) ||
+                  word.starts_with("luft");
          });
 }
 

@@ -81,21 +81,6 @@ LevelChoice given_height(const Building& building, double height_m) {
   return choice;
 }
 
-/// What classes leave out of the things that a plane meets; without a height, of all that have a body.
-std::string left_out(const Building& building, const Classes& classes, std::optional<double> height_m) {
-  std::map<std::string, int> counts;
-  for (const Element& element : building.elements)
-    if (classes.of(element).kind == Treatment::Kind::left_out &&
-        (height_m ? meets(element, *height_m) : !element.bodies.empty()))
-      ++counts[element.source_class()];
-  if (counts.empty()) return "";
-  const auto most = std::ranges::max_element(counts, [](const auto& a, const auto& b) { return a.second < b.second; });
-  std::string text;
-  for (const auto& [name, count] : counts) text += (text.empty() ? "" : ", ") + std::to_string(count) + " " + name;
-  return "; there: " + text + ", left out (--set classes." + most->first + "=opal:Wall puts " +
-         (counts.size() == 1 ? "them" : "these") + " in)";
-}
-
 /// "; without a body: 4 IfcWall"; empty: all have one.
 std::string bodiless_things(const Building& building) {
   std::map<std::string, int> counts;
@@ -119,7 +104,8 @@ std::string unread_things(const Building& building) {
 /// What classes leave out above the lowest storey that has any such thing.
 std::string left_out_above(const Building& building, const Classes& classes, double sensor_height_m) {
   for (const Level& level : building.levels)
-    if (std::string text = left_out(building, classes, level.elevation_m + sensor_height_m); !text.empty()) return text;
+    if (std::string text = left_out_at(building, classes, level.elevation_m + sensor_height_m); !text.empty())
+      return text;
   return "";
 }
 
@@ -167,8 +153,8 @@ LevelChoice lowest_wall(const Building& building, const Classes& classes, const 
     lowest_m = lowest_of(solids_of(building, classes));
   }
   if (!std::isfinite(lowest_m))
-    throw MapError(file + ": has no storeys and no walls" + left_out(building, classes, {}) + unread_things(building) +
-                   ", expected a height (--z)");
+    throw MapError(file + ": has no storeys and no walls" + left_out_at(building, classes, {}) +
+                   unread_things(building) + ", expected a height (--z)");
   const double height_m = lowest_m + options.sensor_height_m;
   return {height_m, "",
           fmt::format(
@@ -188,8 +174,18 @@ LevelChoice choose_level(const Building& building, const Classes& classes, const
   return lowest_level(building, classes, options, file);
 }
 
-std::string left_out_at(const Building& building, const Classes& classes, double height_m) {
-  return left_out(building, classes, height_m);
+std::string left_out_at(const Building& building, const Classes& classes, std::optional<double> height_m) {
+  std::map<std::string, int> counts;
+  for (const Element& element : building.elements)
+    if (classes.of(element).kind == Treatment::Kind::left_out &&
+        (height_m ? meets(element, *height_m) : !element.bodies.empty()))
+      ++counts[element.source_class()];
+  if (counts.empty()) return "";
+  const auto most = std::ranges::max_element(counts, [](const auto& a, const auto& b) { return a.second < b.second; });
+  std::string text;
+  for (const auto& [name, count] : counts) text += (text.empty() ? "" : ", ") + std::to_string(count) + " " + name;
+  return "; there: " + text + ", left out (--set classes." + most->first + "=opal:Wall puts " +
+         (counts.size() == 1 ? "them" : "these") + " in)";
 }
 
 std::map<std::string, int> counts_at(const Building& building, double height_m) {

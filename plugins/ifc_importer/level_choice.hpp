@@ -19,8 +19,9 @@ LevelChoice choose_level(const Building& building, const Classes& classes, const
                          const std::string& file);
 
 /// "; there: 4 IfcBuildingElementProxy, left out (--set classes.IfcBuildingElementProxy=opal:Wall puts them in)" of the
-/// things that the plane at a height meets and that their classes leave out; empty if there are none.
-std::string left_out_at(const Building& building, const Classes& classes, double height_m);
+/// things that the plane at a height meets and that their classes leave out; without a height, of all that have a body.
+/// Empty if there are none.
+std::string left_out_at(const Building& building, const Classes& classes, std::optional<double> height_m);
 
 /// How many things of each class the plane at a height meets.
 std::map<std::string, int> counts_at(const Building& building, double height_m);
