@@ -42,7 +42,7 @@ const char* name_of(Status status) {
 void StatusEstimator::reset() {
   last_ = {};
   belief_ = {};
-  sure_ = 0;
+  sure_ = sure_nat_ = 0;
   unbroken_ = std::numeric_limits<double>::infinity();
   none_nat_ = 0;
   was_localized_ = false;
@@ -98,7 +98,9 @@ double StatusEstimator::weight_asked(double unmapped_walls_m) const {
 
 void StatusEstimator::gather(const Live& best, const PoseEstimate& estimate, const Circumstances& now, bool same) {
   const bool probable = estimate.probability > options_.localized_probability, leads = lead_.nat >= lead_asked_nat();
-  sure_ = same && probable && leads ? sure_ + now.tempering_weight : 0;
+  const bool holds = same && probable && leads;
+  sure_ = holds ? sure_ + now.tempering_weight : 0;
+  sure_nat_ = holds ? sure_nat_ + now.tempering_weight * best.scan_nat : 0;
   unbroken_ = now.is_broken ? 0 : unbroken_ + now.tempering_weight;
   if (!same) agreement_.clear();
   agreement_.add(now.agreement, now.tempering_weight);
@@ -110,7 +112,10 @@ StatusEstimator::Judgement StatusEstimator::judge(const Live& best, const Pose2&
   const bool same = last_.has_pose && kSamePlace.holds(T_map_local_ * T_local_base, estimate.T_map_base);
   gather(best, estimate, now, same);
   if (!contradiction_.empty()) {
-    (evidence_ == Evidence::spoilt ? sure_ : unbroken_) = 0;
+    if (evidence_ == Evidence::spoilt)
+      sure_ = sure_nat_ = 0;
+    else
+      unbroken_ = 0;
     return {while_contradicted(estimate), contradiction_};
   }
   if (was_localized_ && mean_scan_nat_ < options_.lost_scan_nat)
@@ -129,6 +134,7 @@ StatusEstimator::Judgement StatusEstimator::judge(const Live& best, const Pose2&
   const double asked = weight_asked(now.unmapped_walls_m);
   const bool is_other_place = agreement_.share() < options_.localized_least_agreement;
   const bool proven = sure_ >= asked && !doubt && !is_other_place;
+  if (proven && !localized() && sure_nat_ <= 0) return {unproven(estimate), why_not_for()};
   if (std::string vague = proven ? why_vague(estimate.covariance) : ""; !vague.empty())
     return {unproven(estimate), std::move(vague)};
   const Status status = proven ? Status::localized : unproven(estimate);
@@ -138,6 +144,12 @@ StatusEstimator::Judgement StatusEstimator::judge(const Live& best, const Pose2&
                                 100 * (1 - agreement_.share()))};
   if (sure_ > 0) return {status, why_held(asked, now.unmapped_walls_m)};
   return {status, why_unsure(same, estimate.probability * (1 - now.kidnapped))};
+}
+
+std::string StatusEstimator::why_not_for() const {
+  return fmt::format(
+      "the {:.2f} pieces of new evidence since the place is probable say nothing for it: {:.1f} nat, not above 0",
+      sure_, sure_nat_);
 }
 
 std::string StatusEstimator::why_vague(const Eigen::Matrix3d& covariance) const {

@@ -132,6 +132,15 @@ TEST_CASE("a map through which most beams pass is another building's, however lo
   CHECK(Answer().weight_until_localized(now) <= options.localized_most_weight + 1);
 }
 
+TEST_CASE(
+    "a place of which new evidence says nothing is not localized, however probable it is, until new evidence does") {
+  Answer answer;
+  for (int k = 0; k < 100; ++k) REQUIRE(answer.to({hypothesis(1, kHere, 20, -0.1)}).status != Status::localized);
+  CHECK_THAT(answer.estimator.belief().why, Catch::Contains("say nothing for it: -9.9 nat, not above 0"));
+  for (int k = 0; k < 11; ++k) answer.to({hypothesis(1, kHere, 20, 1)});
+  CHECK(answer.estimator.localized());
+}
+
 TEST_CASE("missing walls never ask for less than is always asked for") {
   StatusOptions options;
   options.localized_weight = 30;  // more than the most for missing walls
