@@ -1,11 +1,11 @@
 #include "cli/map/map_stack.hpp"
 #include "cli/options/exit_code.hpp"
+#include "cli/options/picture_files.hpp"
 
 #include "session/session.hpp"
 
 #include "common/phrases.hpp"
 #include "deployment/store_source.hpp"
-#include "drawing/drawing.hpp"
 #include "map/map_file.hpp"
 
 #include <opal/common/error.hpp>
@@ -80,7 +80,8 @@ std::vector<Storey> without(const std::vector<Storey>& all, const std::vector<st
 
 struct StackFilesOptions : StackVerbOptions {
   std::vector<std::string> maps, words;
-  std::string out, name, svg, png;
+  std::string out, name;
+  PictureFiles picture;
 };
 
 /// "plans/gdc_storey_3.geojson" is called "gdc_storey_3".
@@ -115,13 +116,10 @@ class StoreyMaps {
   std::string first_;
 };
 
-void draw(const std::shared_ptr<const SemanticMap>& map, const StackFilesOptions& options) {
-  DrawingScene scene;
-  scene.title = map->name();
-  scene.map = map;
+void draw(const std::shared_ptr<const SemanticMap>& map, const PictureFiles& picture) {
+  DrawingScene scene = scene_of(map);
   scene.coordinates = true;
-  if (!options.svg.empty()) write_svg(scene, options.svg);
-  if (!options.png.empty()) write_png(scene, options.png);
+  picture.write(scene);
 }
 
 int stack(const StackFilesOptions& options) {
@@ -137,7 +135,7 @@ int stack(const StackFilesOptions& options) {
   const auto map = finished(stacked_map(name, parts, options.stack), options);
   write_map(*map, options.out);
   std::cout << stacked_sentence(options.out, *map) << ", " << count_of(map->features().size(), "feature") << '\n';
-  draw(map, options);
+  draw(map, options.picture);
   return kDone;
 }
 
@@ -202,8 +200,7 @@ void add_map_stack(CLI::App& map, int& exit_code) {
                    "an option of the importer of all sources, NAME=VALUE or NAME.KEY=TEXT; may be repeated")
       ->allow_extra_args(false);
   options->add_to(*verb);
-  verb->add_option("--svg", options->svg, "also draw the map into this file");
-  verb->add_option("--png", options->png, "the same as a PNG");
+  options->picture.add_to(*verb);
   verb->callback([options, &exit_code] { exit_code = stack(*options); });
 }
 

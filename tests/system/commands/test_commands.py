@@ -96,7 +96,7 @@ class OptionsReachEverything(Commands):
 
     def test_shipped_configurations_are_found_by_name_and_an_unknown_name_gets_the_list(self):
         self.assertIn("localized", self.localize(config="malaga"))
-        self.assertIn("behaviours, careful, careful_two_lasers, default, malaga", self.localize(config="nowhere", exit_code=3))
+        self.assertIn("ship: careful, careful_two_lasers, default, malaga", self.localize(config="nowhere", exit_code=3))
 
     def test_a_file_that_nobody_recognizes_gets_the_list_of_what_is_read(self):
         (self.folder / "odd.txt").write_text("odd")
