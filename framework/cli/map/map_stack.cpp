@@ -116,7 +116,7 @@ class StoreyMaps {
   std::string first_;
 };
 
-void draw(const std::shared_ptr<const SemanticMap>& map, const PictureFiles& picture) {
+void draw_stack(const std::shared_ptr<const SemanticMap>& map, const PictureFiles& picture) {
   DrawingScene scene = scene_of(map);
   scene.coordinates = true;
   picture.write(scene);
@@ -135,7 +135,7 @@ int stack(const StackFilesOptions& options) {
   const auto map = finished(stacked_map(name, parts, options.stack), options);
   write_map(*map, options.out);
   std::cout << stacked_sentence(options.out, *map) << ", " << count_of(map->features().size(), "feature") << '\n';
-  draw(map, options.picture);
+  draw_stack(map, options.picture);
   return kDone;
 }
 
