@@ -6,6 +6,7 @@
 
 #include <chrono>
 #include <random>
+#include <utility>
 
 namespace opal {
 namespace {
@@ -65,11 +66,13 @@ void LoopbackServer::guard(std::size_t threads, std::size_t most_bytes, Refusal 
   using Verdict = httplib::Server::HandlerResponse;
   http.new_task_queue = [threads] { return new httplib::ThreadPool(threads); };
   http.set_payload_max_length(most_bytes);
-  http.set_pre_routing_handler([this, also](const httplib::Request& request, httplib::Response& response) {
-    if (is_from_here(request, port_)) return also && also(request, response) ? Verdict::Handled : Verdict::Unhandled;
-    answer(response, 403, fmt::format("This server answers to {}:{} only.", kLoopback, port_));
-    return Verdict::Handled;
-  });
+  http.set_pre_routing_handler(
+      [this, also = std::move(also)](const httplib::Request& request, httplib::Response& response) {
+        if (is_from_here(request, port_))
+          return also && also(request, response) ? Verdict::Handled : Verdict::Unhandled;
+        answer(response, 403, fmt::format("This server answers to {}:{} only.", kLoopback, port_));
+        return Verdict::Handled;
+      });
 }
 
 void LoopbackServer::guard_pages(std::size_t threads, std::size_t most_bytes, Refusal also) {
