@@ -228,7 +228,7 @@ struct RasterPart {
 RasterPart part_with(const SemanticMap& sheet, const MapRaster& raster) {
   Eigen::AlignedBox2d box;
   for (const Point& p : ends_of(sheet)) box.extend(p);
-  if (box.isEmpty()) return {};
+  if (box.isEmpty() || !box.min().allFinite()) return {};
   const double border_m = RasterOptions{}.border_m;
   const Point low = ((box.min() - raster.origin).array() - border_m).matrix() / raster.resolution_m,
               high = ((box.max() - raster.origin).array() + border_m).matrix() / raster.resolution_m;
