@@ -60,12 +60,6 @@ void write_report(const MapImport& imported, const std::string& path) {
   write_text(path, is_json ? import_report(imported).dump(1) + '\n' : text_of(imported.report));
 }
 
-void draw(const std::shared_ptr<const SemanticMap>& map, const PictureFiles& picture) {
-  DrawingScene scene = scene_of(map);
-  scene.coordinates = true;
-  picture.write(scene);
-}
-
 void write_report(const ImportedStoreys& imported, const std::string& path) {
   nlohmann::ordered_json by_storey = nlohmann::ordered_json::object();
   std::string text;
@@ -96,7 +90,7 @@ int import_all(const ImportOptions& options, const PluginRegistry& registry, con
   write_map(*all.map, options.out);
   std::cout << stacked_sentence(options.out, *all.map) << '\n';
   if (!options.report.empty()) write_report(imported, options.report);
-  draw(all.map, options.picture);
+  options.picture.write_with_coordinates(all.map);
   return kDone;
 }
 
@@ -111,7 +105,7 @@ int import(const ImportOptions& options) {
   write_map(*imported.map, options.out);
   std::cout << text_of(imported.report) << "written: " << options.out << '\n';
   if (!options.report.empty()) write_report(imported, options.report);
-  draw(imported.map, options.picture);
+  options.picture.write_with_coordinates(imported.map);
   return kDone;
 }
 

@@ -116,12 +116,6 @@ class StoreyMaps {
   std::string first_;
 };
 
-void draw_stack(const std::shared_ptr<const SemanticMap>& map, const PictureFiles& picture) {
-  DrawingScene scene = scene_of(map);
-  scene.coordinates = true;
-  picture.write(scene);
-}
-
 int stack(const StackFilesOptions& options) {
   const PluginRegistry registry = session::load_plugins();
   StoreyMaps maps(registry, options.words);
@@ -135,7 +129,7 @@ int stack(const StackFilesOptions& options) {
   const auto map = finished(stacked_map(name, parts, options.stack), options);
   write_map(*map, options.out);
   std::cout << stacked_sentence(options.out, *map) << ", " << count_of(map->features().size(), "feature") << '\n';
-  draw_stack(map, options.picture);
+  options.picture.write_with_coordinates(map);
   return kDone;
 }
 

@@ -9,6 +9,14 @@
 
 namespace opal::cli {
 
+/// A map under its name, and nothing besides.
+inline DrawingScene scene_of(const std::shared_ptr<const SemanticMap>& map) {
+  DrawingScene scene;
+  scene.title = map->name();
+  scene.map = map;
+  return scene;
+}
+
 /// The options of every verb that also draws what it has made.
 struct PictureFiles {
   std::string svg, png;
@@ -22,14 +30,13 @@ struct PictureFiles {
     if (!svg.empty()) write_svg(scene, svg);
     if (!png.empty()) write_png(scene, png);
   }
-};
 
-/// A map under its name, and nothing besides.
-inline DrawingScene scene_of(const std::shared_ptr<const SemanticMap>& map) {
-  DrawingScene scene;
-  scene.title = map->name();
-  scene.map = map;
-  return scene;
-}
+  /// A map, with coordinates at the edges.
+  void write_with_coordinates(const std::shared_ptr<const SemanticMap>& map) const {
+    DrawingScene scene = scene_of(map);
+    scene.coordinates = true;
+    write(scene);
+  }
+};
 
 }  // namespace opal::cli
