@@ -3,6 +3,9 @@
 #include <opal/common/geometry.hpp>
 
 #include <Eigen/Core>
+#include <Eigen/Eigenvalues>
+
+#include <cmath>
 
 namespace opal {
 
@@ -12,6 +15,11 @@ inline Eigen::Matrix3d turned_covariance(const Pose2& T_a_b, const Eigen::Matrix
   turn.col(0).head<2>() = T_a_b.rotate(Point::UnitX());
   turn.col(1).head<2>() = T_a_b.rotate(Point::UnitY());
   return turn * covariance_b * turn.transpose();
+}
+
+/// Standard deviation of a position along the axis of which least is known.
+inline double largest_sigma(const Eigen::Matrix2d& covariance) {
+  return std::sqrt(Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(covariance, Eigen::EigenvaluesOnly).eigenvalues()(1));
 }
 
 }  // namespace opal

@@ -1,6 +1,6 @@
 #include <opal/common/feature.hpp>
 
-#include "common/turned_covariance.hpp"
+#include "common/covariance.hpp"
 
 namespace opal {
 

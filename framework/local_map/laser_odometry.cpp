@@ -1,8 +1,8 @@
 #include "local_map/laser_odometry.hpp"
 
+#include "common/covariance.hpp"
 #include "local_map/matched_points.hpp"
-
-#include <Eigen/Eigenvalues>
+#include "sensing/standstill.hpp"
 
 #include <cmath>
 #include <utility>
@@ -10,7 +10,6 @@
 namespace opal {
 namespace {
 
-constexpr double kStill_m = 0.005, kStill_rad = 0.005;
 // So long after the wheels have stopped counting it is noticed at the latest, in a corridor of which few beams change.
 constexpr double kLongest_s = 4;
 // What a motion that goes on as it was is wrong by, from scan to scan.
@@ -23,19 +22,9 @@ constexpr double kShortest_s = 0.01;
 // While something hides what was seen just before, the motion goes on as it was, for so long.
 constexpr double kCoasts_s = 0.6;
 
-bool is_same(const Pose2& a, const Pose2& b) {
-  return distance_m(a, b) < kStill_m && angle_between_rad(a, b) < kStill_rad;
-}
-
 bool tells(const ScanMatch& match) {
-  if (!match.converged || match.inlier_share < kFewestInliers || !match.covariance.allFinite()) return false;
-  const Eigen::Matrix2d covariance = match.covariance.topLeftCorner<2, 2>();
-  return Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(covariance).eigenvalues().maxCoeff() <
-         kLargestSigma_m * kLargestSigma_m;
-}
-
-bool is_standing(const Pose2& motion) {
-  return distance_m(Pose2(), motion) < 0.02 && std::abs(motion.heading_rad()) < 0.02;
+  return match.converged && match.inlier_share >= kFewestInliers && match.covariance.allFinite() &&
+         largest_sigma(match.covariance.topLeftCorner<2, 2>()) < kLargestSigma_m;
 }
 
 Eigen::Vector3d speed_of(const Pose2& motion, double duration_s) {
@@ -53,7 +42,7 @@ Pose2 motion_at(const Eigen::Vector3d& speed, double duration_s) {
 void LaserOdometry::add(const Sample& sample, bool is_frozen) {
   if (!is_frozen) is_sure_ = true;
   Seen seen{sample.stamp_s, points_in_base(sample)};
-  const bool stands = T_odom_wheels_ && is_same(*T_odom_wheels_, sample.T_odom_base);
+  const bool stands = T_odom_wheels_ && kNothingCounted.holds(*T_odom_wheels_, sample.T_odom_base);
   if (!stands) {
     take_wheels(sample);
     return take_for_reference(std::move(seen));
@@ -91,8 +80,8 @@ ScanMatch LaserOdometry::laid_over_reference(const Seen& seen) const {
 /// A motion that begins or ends between two scans is found from the scan just before.
 ScanMatch LaserOdometry::laid_over_either(const Seen& seen) {
   const ScanMatch match = laid_over_reference(seen);
-  if (tells(match)) return match;
-  take_for_reference(previous_);
+  if (tells(match) || !previous_) return match;
+  take_for_reference(*std::exchange(previous_, std::nullopt));
   return laid_over_reference(seen);
 }
 
@@ -101,7 +90,7 @@ void LaserOdometry::follow(Seen seen) {
   const ScanMatch match = laid_over_either(seen);
   const Pose2 T_reference_before = T_reference_base_;
   if (tells(match)) {
-    const bool stood = !std::exchange(has_forgotten_, false) || is_standing(match.T_reference_scan);
+    const bool stood = !std::exchange(has_forgotten_, false) || is_standstill(match.T_reference_scan);
     is_sure_ = is_sure_ && stood;
     coasted_s_ = 0;
     T_reference_base_ = match.T_reference_scan;
@@ -113,14 +102,16 @@ void LaserOdometry::follow(Seen seen) {
   }
   T_odom_counted_ = T_odom_reference_ * *T_odom_wheels_ * T_reference_base_ * T_odom_wheels_->inverse();
   stamp_s_ = seen.stamp_s;
-  previous_ = std::move(seen);
-  if (distance_m(Pose2(), T_reference_base_) > kApart_m || angle_between_rad(Pose2(), T_reference_base_) > kApart_rad)
-    take_for_reference(previous_);
+  if (T_reference_base_.position().norm() > kApart_m || std::abs(T_reference_base_.heading_rad()) > kApart_rad)
+    take_for_reference(std::move(seen));
+  else
+    previous_ = std::move(seen);
 }
 
 void LaserOdometry::take_for_reference(Seen seen) {
   stamp_s_ = seen.stamp_s;
-  previous_ = reference_ = std::move(seen);
+  reference_ = std::move(seen);
+  previous_.reset();
   T_odom_reference_ = T_odom_counted_;
   T_reference_base_ = {};
 }

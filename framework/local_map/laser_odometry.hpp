@@ -46,7 +46,8 @@ class OPAL_EXPORT LaserOdometry {
   std::optional<Pose2> T_odom_wheels_;  ///< the newest reading, or the one at which the wheels stand
   Pose2 T_odom_counted_;                ///< of the frame in which the wheels count: it moves while they stand
   Eigen::Vector3d speed_ = {0, 0, 0};   ///< of the newest motion, base_link frame [m/s, m/s, rad/s]
-  Seen reference_, previous_;           ///< what the next scan is laid over; the scan before it
+  Seen reference_;                      ///< what the next scan is laid over
+  std::optional<Seen> previous_;        ///< the scan before it, if that is another one
   Pose2 T_odom_reference_;              ///< T_odom_counted_ when it was seen
   Pose2 T_reference_base_;              ///< of the newest scan that was followed
   double stamp_s_ = 0;                  ///< of that scan

@@ -1,6 +1,6 @@
 #include <opal/local_map/local_map.hpp>
 
-#include "common/turned_covariance.hpp"
+#include "common/covariance.hpp"
 #include "local_map/local_map_association.hpp"
 #include "local_map/local_map_graph.hpp"
 #include "local_map/local_map_horizon.hpp"

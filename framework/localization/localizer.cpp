@@ -147,7 +147,10 @@ Sample Localizer::State::checked(Sample sample) {
   if (sensors.add(sample)) {
     if (was_frozen && !sensors.is_odometry_frozen() && !laser_odometry.is_sure()) forget_drive();
     const std::string why = sensors.contradiction();
-    sensors.only_odometry_stands() ? status.suspend(why) : status.contradict(why);
+    if (sensors.only_odometry_stands())
+      status.suspend(why);
+    else
+      status.contradict(why);
     journal.sensor(sensors.findings());
   }
   laser_odometry.add(sample, sensors.is_odometry_frozen());

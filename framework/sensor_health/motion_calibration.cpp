@@ -1,5 +1,7 @@
 #include "sensor_health/motion_calibration.hpp"
 
+#include "common/covariance.hpp"
+
 #include <opal/common/quantile.hpp>
 
 #include <Eigen/Dense>
@@ -133,9 +135,7 @@ void read_mount(const Solution& solution, MotionCalibration& calibration) {
   calibration.distance_scale = {scale, std::sqrt(along.dot(covariance * along))};
   calibration.mount_heading_rad = {heading_rad, std::sqrt(across.dot(covariance * across)) / std::max(scale, 1e-9)};
   calibration.mount_position_m = Pose2(Point::Zero(), heading_rad) * Point(solution.unknowns.tail<2>());
-  const Eigen::Matrix2d position = solution.covariance.bottomRightCorner<2, 2>();
-  calibration.mount_position_sigma_m =
-      std::sqrt(Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(position).eigenvalues()(1));
+  calibration.mount_position_sigma_m = largest_sigma(solution.covariance.bottomRightCorner<2, 2>());
 }
 
 Unknowns as_described(const Pose2& T_base_laser) {

@@ -1,12 +1,14 @@
 #include "sensor_health/motion_pairs.hpp"
 
+#include "sensing/standstill.hpp"
+
 namespace opal {
 namespace {
 
 // A motion is long enough to tell its direction, and short enough that the scans are alike.
 constexpr double kStep_m = 0.25, kStep_rad = 0.25, kTooFar_m = 1, kTooFar_rad = 0.8;
 /// A robot that stands by its odometry is looked at this often: it may be driving all the same.
-constexpr double kStanding_s = 0.5, kStands_m = 0.02, kStands_rad = 0.02;
+constexpr double kStanding_s = 0.5;
 constexpr double kFewestInliers = 0.6, kStillInliers = 0.3, kPlainInliers = 0.85, kClearlyMore = 0.2;
 constexpr std::size_t kFewestPoints = 20;
 /// A distance of which scans may tell whether it was driven forwards or backwards, and how many more of the points
@@ -24,10 +26,6 @@ std::vector<Point> positions_of(const Scan& scan) {
 double fit_of(const ScanMatch& match) { return match.converged ? match.inlier_share : 0; }
 
 }  // namespace
-
-bool is_standstill(const Pose2& T_odometry) {
-  return T_odometry.position().norm() < kStands_m && std::abs(T_odometry.heading_rad()) < kStands_rad;
-}
 
 void MotionPairs::clear() {
   begun_ = false;

@@ -11,9 +11,6 @@
 
 namespace opal {
 
-/// Odometry has no motion worth the name.
-bool is_standstill(const Pose2& T_odometry);
-
 /// Cuts a drive into short motions and lays the scan at the end of each over the one at its beginning. Where the scans
 /// lie over each other as odometry and the described mount have it, that is taken. Where they do not, all motions are
 /// tried, backwards as well as forwards, and one that fits clearly better is taken. So look-alike places do not speak

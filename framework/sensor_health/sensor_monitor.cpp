@@ -1,5 +1,6 @@
 #include "sensor_health/sensor_monitor.hpp"
 
+#include "sensing/standstill.hpp"
 #include "sensor_health/sensor_judgement.hpp"
 
 #include <algorithm>

@@ -1,5 +1,7 @@
 #include "sensor_health/standing_odometry.hpp"
 
+#include "sensing/standstill.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -7,7 +9,6 @@
 namespace opal {
 namespace {
 
-constexpr double kStill_m = 0.005, kStill_rad = 0.005;
 constexpr double kLooksAfter_s = 1;  // people who pass have gone
 constexpr double kChanged_m = 0.1;
 constexpr double kMostChanged = 0.35;  // a crowd about a robot that stands changes fewer
@@ -39,8 +40,7 @@ double StandingOdometry::share_changed(const View& before, const View& now) {
 }
 
 void StandingOdometry::add(const Scan& scan, const Pose2& T_odom_base) {
-  const bool stands = T_odom_base_ && distance_m(*T_odom_base_, T_odom_base) < kStill_m &&
-                      angle_between_rad(*T_odom_base_, T_odom_base) < kStill_rad;
+  const bool stands = T_odom_base_ && kNothingCounted.holds(*T_odom_base_, T_odom_base);
   if (!stands) {
     T_odom_base_ = T_odom_base;
     seen_.reset();

@@ -1,6 +1,6 @@
 #include "survey/fused_motion.hpp"
 
-#include "common/turned_covariance.hpp"
+#include "common/covariance.hpp"
 #include "local_map/local_map_odometry.hpp"
 #include "localization/alignment/pose_step.hpp"
 

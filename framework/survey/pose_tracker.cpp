@@ -3,7 +3,7 @@
 #include <opal/common/error.hpp>
 #include "localization/alignment/registration.hpp"
 
-#include "common/turned_covariance.hpp"
+#include "common/covariance.hpp"
 #include "localization/observation/observation.hpp"
 #include "survey/fused_motion.hpp"
 #include "survey/odometry_direction.hpp"

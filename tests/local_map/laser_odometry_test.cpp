@@ -6,13 +6,13 @@
 
 #include <catch2/catch.hpp>
 
-#include <limits>
+#include <cmath>
 
 using namespace opal;
 
 namespace {
 
-constexpr double kStep_s = 0.1, kNever_s = std::numeric_limits<double>::infinity();
+constexpr double kStep_s = 0.1;
 
 struct Reading {
   Sample sample;  ///< with odometry that counts everything

@@ -1,6 +1,6 @@
 #include "localization/alignment/pose_filter.hpp"
 
-#include "common/turned_covariance.hpp"
+#include "common/covariance.hpp"
 #include "localization/alignment/pose_step.hpp"
 
 #include <Eigen/Dense>

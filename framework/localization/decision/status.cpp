@@ -1,9 +1,9 @@
 #include "localization/decision/status.hpp"
 
+#include "common/covariance.hpp"
 #include "localization/decision/same_place.hpp"
 
 #include <fmt/format.h>
-#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>
@@ -42,7 +42,7 @@ const char* name_of(Status status) {
 void StatusEstimator::reset() {
   last_ = {};
   belief_ = {};
-  sure_ = sure_nat_ = 0;
+  held_ = {};
   unbroken_ = std::numeric_limits<double>::infinity();
   none_nat_ = 0;
   was_localized_ = false;
@@ -98,9 +98,10 @@ double StatusEstimator::weight_asked(double unmapped_walls_m) const {
 
 void StatusEstimator::gather(const Live& best, const PoseEstimate& estimate, const Circumstances& now, bool same) {
   const bool probable = estimate.probability > options_.localized_probability, leads = lead_.nat >= lead_asked_nat();
-  const bool holds = same && probable && leads;
-  sure_ = holds ? sure_ + now.tempering_weight : 0;
-  sure_nat_ = holds ? sure_nat_ + now.tempering_weight * best.scan_nat : 0;
+  if (same && probable && leads)
+    held_ = {held_.weight + now.tempering_weight, held_.nat + now.tempering_weight * best.scan_nat};
+  else
+    held_ = {};
   unbroken_ = now.is_broken ? 0 : unbroken_ + now.tempering_weight;
   if (!same) agreement_.clear();
   agreement_.add(now.agreement, now.tempering_weight);
@@ -113,7 +114,7 @@ StatusEstimator::Judgement StatusEstimator::judge(const Live& best, const Pose2&
   gather(best, estimate, now, same);
   if (!contradiction_.empty()) {
     if (evidence_ == Evidence::spoilt)
-      sure_ = sure_nat_ = 0;
+      held_ = {};
     else
       unbroken_ = 0;
     return {while_contradicted(estimate), contradiction_};
@@ -122,39 +123,39 @@ StatusEstimator::Judgement StatusEstimator::judge(const Live& best, const Pose2&
     return {Status::lost, fmt::format("the newest scans score {:.2f} nat on average, below {:.2f}", mean_scan_nat_,
                                       options_.lost_scan_nat)};
   const bool doubt = estimate.probability * (1 - now.kidnapped) <= options_.localized_probability;
-  if (was_localized_ && same && doubt && sure_ > 0)
+  if (was_localized_ && same && doubt && held_.weight > 0)
     return {Status::lost,
             fmt::format("the newest scans do not fit here: kidnapped with probability {:.3f}, not below {:.3f}",
                         now.kidnapped, 1 - options_.localized_probability)};
-  if (!doubt && sure_ > 0 && unbroken_ < options_.localized_weight)
+  if (!doubt && held_.weight > 0 && unbroken_ < options_.localized_weight)
     return {unproven(estimate),
             fmt::format("{:.2f} of {:.2f} pieces of new evidence ago the scans or the odometry broke off from those "
                         "before: the robot may have been kidnapped",
                         unbroken_, options_.localized_weight)};
   const double asked = weight_asked(now.unmapped_walls_m);
   const bool is_other_place = agreement_.share() < options_.localized_least_agreement;
-  const bool proven = sure_ >= asked && !doubt && !is_other_place;
-  if (proven && !localized() && sure_nat_ <= 0) return {unproven(estimate), why_not_for()};
+  const bool proven = held_.weight >= asked && !doubt && !is_other_place;
+  if (proven && !localized() && held_.nat <= 0) return {unproven(estimate), why_not_for()};
   if (std::string vague = proven ? why_vague(estimate.covariance) : ""; !vague.empty())
     return {unproven(estimate), std::move(vague)};
   const Status status = proven ? Status::localized : unproven(estimate);
-  if (sure_ > 0 && is_other_place)
+  if (held_.weight > 0 && is_other_place)
     return {status, fmt::format("{:.0f} % of the beams that the map speaks about pass through what it has: is it the "
                                 "map of this building?",
                                 100 * (1 - agreement_.share()))};
-  if (sure_ > 0) return {status, why_held(asked, now.unmapped_walls_m)};
+  if (held_.weight > 0) return {status, why_held(asked, now.unmapped_walls_m)};
   return {status, why_unsure(same, estimate.probability * (1 - now.kidnapped))};
 }
 
 std::string StatusEstimator::why_not_for() const {
   return fmt::format(
       "the {:.2f} pieces of new evidence since the place is probable say nothing for it: {:.1f} nat, not above 0",
-      sure_, sure_nat_);
+      held_.weight, held_.nat);
 }
 
 std::string StatusEstimator::why_vague(const Eigen::Matrix3d& covariance) const {
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(covariance.topLeftCorner<2, 2>(), Eigen::EigenvaluesOnly);
-  const double off_m = kSigmas * std::sqrt(axes.eigenvalues()[1]), off_rad = kSigmas * std::sqrt(covariance(2, 2));
+  const double off_m = kSigmas * largest_sigma(covariance.topLeftCorner<2, 2>()),
+               off_rad = kSigmas * std::sqrt(covariance(2, 2));
   if (off_m <= options_.localized_within_m && off_rad <= options_.localized_within_rad) return "";
   return fmt::format(
       "the place is known, the pose only within {:.2f} m and {:.1f} degrees, and should be within {:.2f} m and {:.1f} "
@@ -175,8 +176,9 @@ std::string StatusEstimator::why_unsure(bool same, double probability) const {
 }
 
 std::string StatusEstimator::why_held(double asked, double unmapped_walls_m) const {
-  const std::string held = fmt::format(
-      "the probability that is asked for has held here for {:.2f} of {:.2f} pieces of new evidence", sure_, asked);
+  const std::string held =
+      fmt::format("the probability that is asked for has held here for {:.2f} of {:.2f} pieces of new evidence",
+                  held_.weight, asked);
   if (asked <= options_.localized_weight) return held;
   std::string why;
   if (unmapped_walls_m > options_.localized_unmapped_m)
@@ -202,7 +204,7 @@ PoseEstimate StatusEstimator::estimate(const std::vector<Live>& alive, const Pos
   believe(alive);
   estimate.none = belief_.none;
   if (alive.empty()) {
-    sure_ = 0;
+    held_ = {};
     estimate.status = was_localized_ ? Status::lost : Status::searching;
     belief_.why = "no hypothesis is left";
     last_ = estimate;

@@ -58,7 +58,7 @@ class OPAL_EXPORT StatusEstimator {
   double probability() const { return last_.probability; }  ///< of the best place
   bool localized() const { return last_.status == Status::localized; }
   /// The best place has the probability that `localized` asks for, if not for long enough yet.
-  bool believed() const { return localized() || sure_ > 0; }
+  bool believed() const { return localized() || held_.weight > 0; }
   void reset();
 
  private:
@@ -86,7 +86,7 @@ class OPAL_EXPORT StatusEstimator {
   std::string why_held(double asked, double unmapped_walls_m) const;
   /// The place is known, the pose not well enough; empty if it is.
   std::string why_vague(const Eigen::Matrix3d& covariance) const;
-  /// What has been seen since the place has the required probability says nothing for it; empty if it does.
+  /// What has been seen since the place has the required probability says nothing for it.
   std::string why_not_for() const;
   /// The required probability has not held at all. @param same  the best place is the one of before.
   std::string why_unsure(bool same, double probability) const;
@@ -102,8 +102,12 @@ class OPAL_EXPORT StatusEstimator {
   double none_nat_ = 0;  ///< log weight of "none of these"
   /// Sum of tempering weights since a scan broke off from those before, or odometry did.
   double unbroken_ = std::numeric_limits<double>::infinity();
-  double sure_ = 0;      ///< tempering_weight since the required probability holds at one place
-  double sure_nat_ = 0;  ///< evidence for this place since then
+  /// What has been seen since the required probability holds at one place.
+  struct Held {
+    double weight = 0;  ///< sum of tempering weights
+    double nat = 0;     ///< evidence for this place
+  };
+  Held held_;
   bool was_localized_ = false;
   double mean_scan_nat_ = 0;  ///< of the best hypothesis, over the newest scans
   MeanAgreement agreement_;   ///< since the best place is the same
