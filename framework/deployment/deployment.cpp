@@ -232,11 +232,17 @@ void read_sensors(ConfigObject& document, Deployment& deployment) {
   expect_distinct(document, deployment.lasers);
 }
 
+Caution read_caution(ConfigObject& document) {
+  const std::string caution = document.text("caution", "usual");
+  if (caution == "usual") return Caution::usual;
+  if (caution == "careful") return Caution::careful;
+  if (caution == "strict") return Caution::strict;
+  document.refuse("caution", R"("usual", "careful" or "strict")");
+}
+
 /// What the document prefers, and what it changes of that.
 LocalizerOptions read_stages(ConfigObject& document) {
-  const std::string caution = document.text("caution", "usual");
-  if (caution != "usual" && caution != "careful") document.refuse("caution", "\"usual\" or \"careful\"");
-  const LocalizerOptions preferred = options_of(caution == "careful" ? Caution::careful : Caution::usual);
+  const LocalizerOptions preferred = options_of(read_caution(document));
   if (!document.object("stages")) return preferred;
   return read_localizer_options(document.any("stages"), document.where("stages"), preferred);
 }

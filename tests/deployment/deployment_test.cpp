@@ -113,7 +113,16 @@ TEST_CASE("a careful deployment asks for more, and what its stages say goes firs
   CHECK(changed.status.localized_lead == 0.2);
   CHECK(changed.status.localized_weight == careful.localized_weight);
   CHECK(changed.search.hypotheses > SearchOptions().hypotheses);
-  CHECK(refusal_of(document(R"("caution": "bold")")) == R"(/caution: "bold", expected "usual" or "careful")");
+  CHECK(refusal_of(document(R"("caution": "bold")")) == R"(/caution: "bold", expected "usual", "careful" or "strict")");
+}
+
+TEST_CASE("a strict deployment is careful, and asks for a map that shows the building as it is") {
+  const StatusOptions careful = parsed(R"("caution": "careful")").stages.status,
+                      strict = parsed(R"("caution": "strict")").stages.status;
+  CHECK(strict.localized_weight == careful.localized_weight);
+  CHECK(strict.lead().nat(100) > careful.lead().nat(100));
+  CHECK(strict.localized_drive_agreement > 0);
+  CHECK(careful.localized_drive_agreement == 0);
 }
 
 TEST_CASE("a scorer may stand twice where one observes, or with other options") {

@@ -49,6 +49,7 @@ void StatusEstimator::reset() {
   mean_scan_nat_ = 0;
   contradiction_.clear();
   agreement_.clear();
+  drive_agreement_.clear();
   map_doubt_.clear();
   lead_ = {};
 }
@@ -105,6 +106,7 @@ void StatusEstimator::gather(const Live& best, const PoseEstimate& estimate, con
   unbroken_ = now.is_broken ? 0 : unbroken_ + now.tempering_weight;
   if (!same) agreement_.clear();
   agreement_.add(now.agreement, now.tempering_weight);
+  if (contradiction_.empty()) drive_agreement_.add(now.agreement, now.tempering_weight);
   mean_scan_nat_ = same ? kScanMemory * mean_scan_nat_ + (1 - kScanMemory) * best.scan_nat : best.scan_nat;
 }
 
@@ -133,18 +135,28 @@ StatusEstimator::Judgement StatusEstimator::judge(const Live& best, const Pose2&
                         "before: the robot may have been kidnapped",
                         unbroken_, options_.localized_weight)};
   const double asked = weight_asked(now.unmapped_walls_m);
-  const bool is_other_place = agreement_.share() < options_.localized_least_agreement;
-  const bool proven = held_.weight >= asked && !doubt && !is_other_place;
+  std::string other_map = why_not_this_map();
+  const bool proven = held_.weight >= asked && !doubt && other_map.empty();
   if (proven && !localized() && held_.nat <= 0) return {unproven(estimate), why_not_for()};
   if (std::string vague = proven ? why_vague(estimate.covariance) : ""; !vague.empty())
     return {unproven(estimate), std::move(vague)};
   const Status status = proven ? Status::localized : unproven(estimate);
-  if (held_.weight > 0 && is_other_place)
-    return {status, fmt::format("{:.0f} % of the beams that the map speaks about pass through what it has: is it the "
-                                "map of this building?",
-                                100 * (1 - agreement_.share()))};
+  if (held_.weight > 0 && !other_map.empty()) return {status, std::move(other_map)};
   if (held_.weight > 0) return {status, why_held(asked, now.unmapped_walls_m)};
   return {status, why_unsure(same, estimate.probability * (1 - now.kidnapped))};
+}
+
+std::string StatusEstimator::why_not_this_map() const {
+  if (agreement_.share() < options_.localized_least_agreement)
+    return fmt::format(
+        "{:.0f} % of the beams that the map speaks about pass through what it has: is it the map of this building?",
+        100 * (1 - agreement_.share()));
+  if (drive_agreement_.share() < options_.localized_drive_agreement)
+    return fmt::format(
+        "on the last metres {:.0f} % of the beams that the map speaks about pass through what it has, wherever the best "
+        "place was, and at most {:.0f} % may: does the map show the building as it is?",
+        100 * (1 - drive_agreement_.share()), 100 * (1 - options_.localized_drive_agreement));
+  return "";
 }
 
 std::string StatusEstimator::why_not_for() const {

@@ -66,7 +66,9 @@ class OPAL_EXPORT StatusEstimator {
   void contradict(const std::string& why, Evidence evidence) {
     contradiction_ = why;
     evidence_ = evidence;
-    if (!why.empty()) map_doubt_.clear();
+    if (why.empty()) return;
+    map_doubt_.clear();
+    drive_agreement_.clear();
   }
   void believe(const std::vector<Live>& alive);
   void weigh(const std::vector<Live>& alive, const Pose2& T_local_base, PoseEstimate& estimate);
@@ -82,6 +84,8 @@ class OPAL_EXPORT StatusEstimator {
   double weight_asked(double unmapped_walls_m) const;
   double lead_asked_nat() const { return options_.lead().nat(lead_.own_nat); }
   void reckon_with(double kidnapped, PoseEstimate& estimate);
+  /// How the map may be wrong, if no evidence is enough; empty: it is not that wrong.
+  std::string why_not_this_map() const;
   /// The required probability has held for so long, and no longer.
   std::string why_held(double asked, double unmapped_walls_m) const;
   /// The place is known, the pose not well enough; empty if it is.
@@ -110,7 +114,8 @@ class OPAL_EXPORT StatusEstimator {
   Held held_;
   bool was_localized_ = false;
   double mean_scan_nat_ = 0;  ///< of the best hypothesis, over the newest scans
-  MeanAgreement agreement_;   ///< since the best place is the same
+  MeanAgreement agreement_;               ///< since the best place is the same
+  MeanAgreement drive_agreement_{0.9};    ///< over about ten pieces, whichever place was the best
   MapDoubt map_doubt_;
   /// Of the best place over the best one elsewhere, in evidence.
   struct Lead {

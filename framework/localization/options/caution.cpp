@@ -22,10 +22,25 @@ LocalizerOptions careful_options() {
   return options;
 }
 
+/// A map of another building explains what is seen better than a damaged map of this one. A sound map is told from both
+/// with room to spare. Where a place fits by chance, another one mostly explains half as much: it must be less.
+/// docs/notebook/evidence.md, 2026-11-28.
+LocalizerOptions strict_options() {
+  LocalizerOptions options = careful_options();
+  options.status.localized_lead = 0.5;
+  options.status.localized_drive_agreement = 0.85;
+  return options;
+}
+
 }  // namespace
 
 LocalizerOptions options_of(Caution caution) {
-  return caution == Caution::careful ? careful_options() : LocalizerOptions();
+  switch (caution) {
+    case Caution::usual: return {};
+    case Caution::careful: return careful_options();
+    case Caution::strict: return strict_options();
+  }
+  return {};
 }
 
 }  // namespace opal

@@ -60,6 +60,7 @@ class Drives:
         return {"drives": self.buildings_table, "drives-models": self.models_table,
                 "faults": lambda: faults.faults_table(self.options), "integrity": lambda: integrity.integrity_table(self.options),
                 "integrity-careful": lambda: integrity.integrity_table(self.options, "integrity-careful"),
+                "integrity-strict": lambda: integrity.integrity_table(self.options, "integrity-strict"),
                 "mutants": lambda: mutants.mutants_table(self.options), "fuzzing": lambda: fuzzing.fuzzing_table(self.options),
                 "storeys": lambda: storeys.storeys_table(self.options)}
 

@@ -2,8 +2,8 @@
 """Makes the tables of docs/results.md again, and tells every number that changed.
 
 Runs `opal bench` on the recorded sites, judges what it wrote, and fills the marked tables. Without names, all tables are made.
-A name is a table (full, stages, calibration, damage, careful, sites, seeds, ten-maps, kidnapping, cuts, large, large-cpu, drives, drives-models,
-faults, integrity, integrity-careful, mutants, fuzzing, redrawn, sketched, furnished, lasers, learning, campus, storeys) or a kind of map (full, plan, thick, drop, shift, wall, false, mixed, union, copies): then
+A name is a table (full, stages, calibration, damage, careful, strict, sites, seeds, ten-maps, kidnapping, cuts, large, large-cpu, drives, drives-models,
+faults, integrity, integrity-careful, integrity-strict, mutants, fuzzing, redrawn, sketched, furnished, lasers, learning, campus, storeys) or a kind of map (full, plan, thick, drop, shift, wall, false, mixed, union, copies): then
 only the rows of that kind are made.
 """
 
@@ -38,13 +38,14 @@ KINDS = {  # the row's label in docs/results.md, and what makes the map
     "mixed": ("mixed", [*PLAN, "--damage", "drop=0.3,shift=0.1,wall=0.6,false=0.3"]),
 }
 DAMAGED = [kind for kind in KINDS if kind != "full"]
-CAREFUL = {f"careful-{kind}": (KINDS[kind][0], [*KINDS[kind][1], "--config", "careful"]) for kind in ("full", "plan", "drop", "mixed")}
-MADE = {**KINDS, **CAREFUL}
+CAUTIOUS = {caution: {f"{caution}-{kind}": (KINDS[kind][0], [*KINDS[kind][1], "--config", caution]) for kind in ("full", "plan", "drop", "mixed")}
+            for caution in ("careful", "strict")}
+MADE = {**KINDS, **CAUTIOUS["careful"], **CAUTIOUS["strict"]}
 JOINED = {"union": ("union of all sites", []), "copies": ("union and ten copies", ["--copies", "10"])}
 SITES = ["acapulco", "csail", "freiburg-079", "seattle", "malaga-demo", "malaga", "belgioioso"]
 STAGES = ("detect", "local_map", "track", "generate", "search", "retrospect", "grow")
 SEEDED = ("drop", "mixed")  # which walls are damaged matters most there
-DRIVEN = ("drives", "drives-models", "faults", "integrity", "integrity-careful", "mutants", "fuzzing", "redrawn", "sketched", "furnished", "lasers", "learning", "learning-walls", "campus", "storeys")  # make their runs themselves
+DRIVEN = ("drives", "drives-models", "faults", "integrity", "integrity-careful", "integrity-strict", "mutants", "fuzzing", "redrawn", "sketched", "furnished", "lasers", "learning", "learning-walls", "campus", "storeys")  # make their runs themselves
 BY_SEED = ("seeds", "ten-maps", "cuts")  # tables
 MAP_SEEDS, CUT_SEEDS = range(1, 21), range(1, 5)
 KIDNAPPING_OPTION, KIDNAPPING_FILE = "--kidnap", "kidnappings.csv"
@@ -284,7 +285,7 @@ def large_cpu_table(bench):
 class Selection:
     """Which tables, and which kinds of map in them."""
 
-    TABLES = {"full": ["full"], "stages": ["full"], "calibration": ["full"], "damage": DAMAGED, "careful": list(CAREFUL), "sites": list(KINDS),
+    TABLES = {"full": ["full"], "stages": ["full"], "calibration": ["full"], "damage": DAMAGED, **{caution: list(kinds) for caution, kinds in CAUTIOUS.items()}, "sites": list(KINDS),
               "seeds": list(SEEDED), "ten-maps": list(SEEDED), "kidnapping": ["kidnapping"], "cuts": ["kidnapping"], "large": list(JOINED),
               "large-cpu": ["copies"], **{table: ["driven"] for table in DRIVEN}}
 
@@ -337,6 +338,7 @@ def make_tables(bench, driven, selection, seeds, page):
         "calibration": lambda: calibration_table(bench),
         "damage": lambda: damage_table(bench, kinds["damage"]),
         "careful": lambda: damage_table(bench, kinds["careful"]),
+        "strict": lambda: damage_table(bench, kinds["strict"]),
         "sites": lambda: sites_table(bench, kinds["sites"]),
         "seeds": lambda: with_means(seeds_table(bench, kinds["seeds"], seeds), tables.table_in(page, "seeds")),
         "ten-maps": lambda: ten_maps_table(bench, kinds["ten-maps"], seeds),

@@ -130,6 +130,9 @@ struct StatusOptions {
   double localized_weight_per_share = 30;
   /// Share of beams that end on mapped surfaces below which the map is another place's: no evidence is enough.
   double localized_least_agreement = 0.25;
+  /// The same over the newest ten or so pieces of evidence, whichever place was the best in each: a map that does not
+  /// explain the drive is not believed where it explains a part of it. 0: any share will do.
+  double localized_drive_agreement = 0;
   /// Share of its evidence by which the best place must lead over any other place. Where two places look alike, what
   /// errors of the map and of the model add up to decides.
   double localized_lead = 0.15;
