@@ -3,7 +3,7 @@
 
 Runs `opal bench` on the recorded sites, judges what it wrote, and fills the marked tables. Without names, all tables are made.
 A name is a table (full, stages, calibration, damage, careful, strict, sites, seeds, ten-maps, kidnapping, cuts, large, large-cpu, drives, drives-models,
-faults, integrity, integrity-careful, integrity-strict, mutants, fuzzing, redrawn, sketched, furnished, lasers, learning, campus, storeys) or a kind of map (full, plan, thick, drop, shift, wall, false, mixed, union, copies): then
+faults, integrity, integrity-careful, integrity-strict, mutants, fuzzing, redrawn, other-maps, sketched, furnished, lasers, learning, campus, storeys) or a kind of map (full, plan, thick, drop, shift, wall, false, mixed, union, copies): then
 only the rows of that kind are made.
 """
 
@@ -22,6 +22,7 @@ import furnished
 import judge
 import lasers
 import learning
+import other_maps
 import redrawn
 import sketched
 import tables
@@ -45,7 +46,7 @@ JOINED = {"union": ("union of all sites", []), "copies": ("union and ten copies"
 SITES = ["acapulco", "csail", "freiburg-079", "seattle", "malaga-demo", "malaga", "belgioioso"]
 STAGES = ("detect", "local_map", "track", "generate", "search", "retrospect", "grow")
 SEEDED = ("drop", "mixed")  # which walls are damaged matters most there
-DRIVEN = ("drives", "drives-models", "faults", "integrity", "integrity-careful", "integrity-strict", "mutants", "fuzzing", "redrawn", "sketched", "furnished", "lasers", "learning", "learning-walls", "campus", "storeys")  # make their runs themselves
+DRIVEN = ("drives", "drives-models", "faults", "integrity", "integrity-careful", "integrity-strict", "mutants", "fuzzing", "redrawn", "other-maps", "sketched", "furnished", "lasers", "learning", "learning-walls", "campus", "storeys")  # make their runs themselves
 BY_SEED = ("seeds", "ten-maps", "cuts")  # tables
 MAP_SEEDS, CUT_SEEDS = range(1, 21), range(1, 5)
 KIDNAPPING_OPTION, KIDNAPPING_FILE = "--kidnap", "kidnappings.csv"
@@ -347,6 +348,7 @@ def make_tables(bench, driven, selection, seeds, page):
         "large": lambda: large_table(bench, kinds["large"]),
         "large-cpu": lambda: large_cpu_table(bench),
         **driven.makers(),
+        "other-maps": lambda: other_maps.other_maps_table(bench),
         "redrawn": lambda: redrawn.redrawn_table(bench, judged_cells),
         "sketched": lambda: sketched.sketched_table(bench, judged_cells),
         "furnished": lambda: furnished.furnished_table(bench, judged_cells),

@@ -11,6 +11,7 @@ import drives
 import faults
 import judge
 import make_results
+import other_maps
 import tables
 
 HEADER = "query_id,timestamp,x,y,theta,localized_flag,probability,none,status\n"
@@ -240,6 +241,12 @@ class Drives(unittest.TestCase):
         self.assertEqual((cells["drives"], cells["localized before"]), ("4", "3"))
         self.assertEqual((cells["median s until right again"], cells["right again within 5 s"]), ("9.0", "1"))
         self.assertEqual(cells["localized elsewhere for more than 1 s"], "4")
+
+    def test_on_another_map_the_longest_time_without_a_break_counts(self):
+        rows = [{"timestamp": str(at), "status": status} for at, status in
+                enumerate(["searching", "localized", "localized", "lost", "localized", "localized", "localized", "localized", "searching"])]
+        self.assertEqual(other_maps.longest_localized_s(rows), 3)
+        self.assertEqual(other_maps.longest_localized_s(rows[:1]), 0)
 
     def test_drives_that_fail_for_one_reason_are_counted_together(self):
         def run(why, driven_m):
