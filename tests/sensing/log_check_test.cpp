@@ -8,6 +8,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <tuple>
 
 using namespace opal;
 
@@ -125,4 +126,37 @@ TEST_CASE("scans of a frame that nobody describes are told, where a described la
   CHECK_THROWS_WITH(
       lasers_of_log(records, {front, rear}, "the robot", "b.jsonld: /sensor"),
       "b.jsonld: /sensor/1: the robot has no scan of frame \"rear\"; its scans have: \"behind\", \"front\"");
+}
+
+TEST_CASE("lasers come back with the beams that their own scans state, each with those of its frame") {
+  std::vector<LogRecord> records;
+  for (const auto& [frame, beams, min_rad] : {std::tuple{"front", 361u, -1.0}, std::tuple{"rear", 181u, -0.5}}) {
+    RawScan raw;
+    raw.frame = frame;
+    raw.ranges_m.assign(beams, 2.0f);
+    raw.angle_min_rad = min_rad;
+    raw.angle_increment_rad = 0.005;
+    records.insert(records.end(), 3, raw);
+  }
+  LaserModel front = described(7), rear = described(7);
+  front.frame = "front";
+  rear.frame = "rear";
+  front.geometry_from_log = rear.geometry_from_log = true;
+  const auto lasers = lasers_of_log(records, {front, rear}, "the robot", "b.jsonld: /sensor");
+  REQUIRE(lasers.size() == 2);
+  CHECK((lasers[0].beams == 361 && lasers[0].angle_min_rad == -1.0));
+  CHECK((lasers[1].beams == 181 && lasers[1].angle_min_rad == -0.5));
+  front.geometry_from_log = rear.geometry_from_log = false;
+  front.beams = 361;
+  front.angle_min_rad = -1.0;
+  front.angle_increment_rad = 0.005;
+  CHECK_THROWS_WITH(lasers_of_log(records, {front, rear}, "the robot", "b.jsonld: /sensor"),
+                    Catch::StartsWith("b.jsonld: /sensor/1: ") && Catch::Contains("the robot have 181"));
+}
+
+TEST_CASE("a laser that is to take its beams from a log which states none is held against the description") {
+  LaserModel laser = described(361);
+  laser.geometry_from_log = true;
+  CHECK_THAT(complaint(log_with(541), laser), Catch::Contains("361 beams") && Catch::Contains("a.log have 541"));
+  CHECK(complaint(log_with(361), laser) == "accepted");
 }

@@ -119,6 +119,66 @@ TEST_CASE("a log tells its laser with its mount, its odometry, and from when to 
   CHECK(contents.defects.at("malformed line") == 3);
 }
 
+TEST_CASE(
+    "of a log, each topic has its name, its times and its pauses, and the laser has its beams as the log states them") {
+  std::vector<LogRecord> records;
+  for (int k = 0; k < 8; ++k) {
+    RawScan scan = scan_of_front(20 + 0.2 * k + (k > 4 ? 3 : 0), Pose2());  // a pause of 3.2 s after the fifth
+    scan.angle_min_rad = -1.5;
+    scan.angle_increment_rad = 0.75;
+    if (k == 2) scan.ranges_m = {1.0f, 7.5f, 0.0f};
+    records.push_back(scan);
+  }
+  for (int k = 0; k < 3; ++k) records.push_back(OdometryRecord{19.5 + 3 * k, Pose2(0, 0, 0.5 * k)});
+  ListedRecords reader(std::move(records));
+  const LogContents contents = contents_of(reader);
+  REQUIRE(contents.topics.size() == 2);
+  const LogTopic &odometry = contents.topics[0], &scans = contents.topics[1];
+  CHECK((odometry.name == "odometry" && odometry.type == "odometry" && odometry.messages == 3));
+  CHECK((scans.name == "scans" && scans.type == "laser scan" && scans.messages == 8));
+  CHECK((scans.first_s == 20 && scans.last_s == Approx(24.4) && scans.interval_s == Approx(0.2)));
+  CHECK((scans.gaps == 1 && scans.longest_gap_s == Approx(3.2) && scans.longest_gap_at_s == Approx(20.8)));
+  CHECK(odometry.gaps == 0);  // its usual interval is 3 s
+  CHECK((contents.first_s == 19.5 && contents.last_s == 25.5 && contents.looked_at_s == 25.5));
+  const LogLaser& laser = contents.lasers.at(0);
+  CHECK((laser.is_read && laser.scans == 8 && laser.beams == 5 && laser.other_scans == 1));
+  CHECK((laser.angle_min_rad == -1.5 && laser.angle_increment_rad == 0.75));
+  CHECK((laser.nearest_m == 1 && laser.farthest_m == 2 && laser.no_return_m == 7.5));
+  CHECK((laser.invalid_share == Approx(1 / 38.) && laser.no_return_share == Approx(1 / 38.)));
+  CHECK((contents.odometries.at(0).is_read && contents.odometries[0].turned_rad == Approx(1)));
+}
+
+TEST_CASE("pauses are longer than half a second and than five usual intervals") {
+  const auto gaps = [](double interval_s, double pause_s) {
+    StampTally tally;
+    for (int k = 0; k < 9; ++k) tally.add(interval_s * k);
+    tally.add(8 * interval_s + pause_s);
+    LogTopic topic;
+    tally.tell(topic);
+    return topic.gaps;
+  };
+  CHECK((gaps(0.02, 0.45) == 0 && gaps(0.02, 0.55) == 1));
+  CHECK((gaps(0.4, 1.9) == 0 && gaps(0.4, 2.1) == 1));
+}
+
+TEST_CASE("of two numbers of beams that as many scans have, the smaller one is the laser's") {
+  LaserTally tally;
+  for (const std::size_t beams : {6u, 4u, 6u, 4u}) {
+    RawScan scan;
+    scan.ranges_m.assign(beams, 1.0f);
+    tally.add(scan);
+  }
+  LogLaser laser;
+  tally.tell(laser);
+  CHECK((laser.beams == 4 && laser.other_scans == 2));
+}
+
+TEST_CASE("a log that holds nothing tells of no topic, no laser and no odometry") {
+  ListedRecords reader({});
+  const LogContents contents = contents_of(reader);
+  CHECK((contents.topics.empty() && contents.lasers.empty() && contents.odometries.empty()));
+}
+
 TEST_CASE("a log without odometry of its own has that of its scans") {
   ListedRecords reader({scan_of_front(11, Pose2(1, 0, 0)), scan_of_front(12, Pose2(1.5, 0, 0))});
   const LogContents contents = contents_of(reader);

@@ -4,6 +4,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <functional>
 
 using namespace opal;
@@ -15,13 +16,13 @@ const Pose2 kStart(4, 4.5, 0.3);
 
 /// A robot in the room, and one hypothesis, that is right, or off by so much.
 struct Found {
-  explicit Found(const Pose2& off = {}) {
+  explicit Found(const Pose2& off = {}, std::shared_ptr<const MapView> in = view_of(room())) : map(std::move(in)) {
     std::vector<VerifiedCandidate> candidates(1);
     candidates.front().candidate.T_map_base = kStart * off;
     set.spawn(std::move(candidates), robot.observation(), 1, past);
   }
   Pose2 T_map_base() const { return set.alive().at(0).hypothesis.T_map_local * robot.local_map().T_local_base(); }
-  std::shared_ptr<const MapView> map = view_of(room());
+  std::shared_ptr<const MapView> map;
   std::vector<Pose2> judged_at;  ///< where scans were scored
   std::function<double(const Pose2&)> nat_at = [](const Pose2&) { return 1; };
   std::shared_ptr<const HypothesisScorer> alike =
@@ -107,6 +108,31 @@ TEST_CASE("where dead reckoning has failed, the best one of many hypotheses is f
   found.robot.drive_to(kStart);
   found.set.track(found.robot.observation(), 1, coarse_points(found.robot.sample()), {0.5, 0.3});
   CHECK(distance_m(found.judged_at.at(found.judged_at.size() - 20), kStart) < 0.03);
+}
+
+TEST_CASE("where dead reckoning has failed, the fifteen best hypotheses are searched, and no others") {
+  constexpr int kRooms = 18, kSearched = 15;
+  const auto in_room = [](int k) { return Pose2(40.0 * k, 0, 0); };
+  Features rooms;
+  for (int k = 0; k < kRooms; ++k)
+    for (const Feature& feature : moved(in_room(k), room())) rooms.push_back(feature);
+  const Pose2 off(0.6, 0, 0.2);
+  Found found(off, view_of(rooms));
+  for (int k = 1; k < kRooms; ++k) {
+    std::vector<VerifiedCandidate> more(1);
+    more.front().candidate.T_map_base = in_room(k) * kStart * off;
+    found.set.spawn(std::move(more), found.robot.observation(), 1, found.past);
+  }
+  REQUIRE(found.set.alive().size() == kRooms);
+  found.judged_at.clear();
+  found.robot.drive_to(kStart);
+  found.set.track(found.robot.observation(), 1, coarse_points(found.robot.sample()), {0.7, 0.3});
+  int right = 0;
+  for (int k = 0; k < kRooms; ++k)
+    right += std::ranges::any_of(found.judged_at, [&](const Pose2& pose) {
+      return distance_m(pose, in_room(k) * kStart) < 0.05 && angle_between_rad(pose, kStart) < 0.02;
+    });
+  CHECK(right == kSearched);
 }
 
 TEST_CASE("of a hypothesis that a better aligned candidate moves, the pose is known as well as one just found") {

@@ -1,14 +1,13 @@
 #include "digested_drives.hpp"
 
+#include "simulated_world.hpp"
+
 #include "tests/system/replay/event_recorder.hpp"
 #include "tests/system/replay/recorded_site.hpp"
 
 #include "common/json/event_json.hpp"
 #include "live/live_core.hpp"
 #include "map_tools/map_stack.hpp"
-#include "simulation/buildings/building.hpp"
-#include "simulation/drives/faults.hpp"
-#include "simulation/drives/rides.hpp"
 #include "tests/kit/shipped_plugins.hpp"
 
 using namespace opal;
@@ -16,55 +15,6 @@ using namespace opal::simulation;
 using nlohmann::ordered_json;
 
 namespace {
-
-using Arrivals = std::vector<Arrival>;
-
-/// What a robot drives through, and what it is told.
-struct World {
-  std::shared_ptr<const SemanticMap> map;
-  std::string config = "two_lasers.jsonld";
-  SimulationOptions options;
-
-  Deployment deployment() const { return read_deployment(OPAL_SOURCE_DIR "/configs/" + config); }
-  LocalizerParts parts() const { return build_parts(deployment(), shipped_plugins(), map); }
-};
-
-World world_of(const BuildingRequest& building, const std::string& config = "two_lasers.jsonld") {
-  World world{generate_building(building).map, config, {}};
-  world.options.take(world.deployment().lasers);
-  world.options.people = 1;
-  return world;
-}
-
-Recording driven(const World& world, double duration_s, std::uint64_t seed) {
-  Simulation simulation(world.map, world.options, seed);
-  DriveOptions drive;
-  drive.scan_every_s = 0.1;
-  return record_about(simulation, duration_s, drive, Random(seed));
-}
-
-double rounded(double value, double step) { return step * std::round(value / step); }
-
-/// To a millimetre and to 0.1 mrad, as logs are written: what processors round otherwise is the same then.
-Arrivals arrivals_in(const Recording& recording) {
-  Arrivals arrivals = arrivals_of(records_of(recording), recording.laser.sweep_s.value_or(0));
-  const auto round_pose = [](Pose2& pose) {
-    pose = Pose2(rounded(pose.x(), 1e-3), rounded(pose.y(), 1e-3), rounded(pose.heading_rad(), 1e-4));
-  };
-  for (Arrival& arrival : arrivals) {
-    arrival.at_s = rounded(arrival.at_s, 1e-4);
-    if (auto* odometry = std::get_if<OdometryRecord>(&arrival.record)) {
-      odometry->stamp_s = rounded(odometry->stamp_s, 1e-4);
-      round_pose(odometry->T_odom_base);
-    }
-    if (auto* scan = std::get_if<RawScan>(&arrival.record)) {
-      scan->stamp_s = rounded(scan->stamp_s, 1e-4);
-      if (scan->T_odom_base) round_pose(*scan->T_odom_base);
-      for (float& range_m : scan->ranges_m) range_m = static_cast<float>(rounded(range_m, 1e-3));
-    }
-  }
-  return arrivals;
-}
 
 ordered_json as_json(const PoseEstimate& estimate) {
   const Eigen::Matrix3d& covariance = estimate.covariance;
@@ -131,11 +81,8 @@ RunDigest played(LocalizerParts parts, const Arrivals& arrivals) {
   return all.digest;
 }
 
-RunDigest with_faults(const World& world, double duration_s, const std::vector<std::pair<Fault, FaultWindow>>& faults) {
-  Arrivals arrivals = arrivals_in(driven(world, duration_s, 5));
-  for (const auto& [fault, window] : faults)
-    arrivals = with_fault(std::move(arrivals), fault, window, world.deployment().lasers.back().frame, Random(7));
-  return played(world.parts(), arrivals);
+RunDigest with_faults(const World& world, double duration_s, const Faults& faults) {
+  return played(world.parts(), arrivals_with(world, duration_s, faults));
 }
 
 /// Sample after sample. @param is_told  the robot is given a hint, reduced to its pattern and reset on the way.
@@ -153,6 +100,8 @@ RunDigest updated(LocalizerParts parts, const std::vector<Sample>& samples, bool
     const Eigen::Matrix3d& covariance = localizer.local_map().last_match().covariance;
     digest.take("answer.match.covariance", std::vector<double>(covariance.data(), covariance.data() + 9));
   }
+  for (const SensorFinding& finding : localizer.sensor_findings())
+    digest.take("finding." + std::to_string(static_cast<int>(finding.subject)), {finding.found, finding.sigma});
   take_events(digest, recorder);
   return digest;
 }
@@ -269,6 +218,10 @@ const std::vector<DigestedDrive>& digested_drives() {
                                               {"poor_records", corridor_with_poor_records},
                                               {"other_map", other_buildings_map},
                                               {"exchanged_lasers", wrongly_described_lasers},
-                                              {"ride", ride_between_storeys}};
+                                              {"ride", ride_between_storeys},
+                                              {"samples", samples_of_poor_records},
+                                              {"features", features_of_scans},
+                                              {"local_map", local_map_of_a_drive},
+                                              {"sensor_findings", sensor_findings}};
   return all;
 }

@@ -12,3 +12,9 @@ struct DigestedDrive {
 };
 
 const std::vector<DigestedDrive>& digested_drives();
+
+// What single stages make of such drives.
+RunDigest samples_of_poor_records();
+RunDigest features_of_scans();
+RunDigest local_map_of_a_drive();
+RunDigest sensor_findings();

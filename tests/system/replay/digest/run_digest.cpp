@@ -9,14 +9,8 @@ using nlohmann::ordered_json;
 
 namespace {
 
-/// Of the sum of amounts. What compilers and processors round otherwise changed these drives by a tenth of it.
-constexpr double kRounding = 1e-4;
 /// Numbers in texts are rounded: one of them may be by one more.
 constexpr double kRoundingInTexts = 1e-3;
-
-bool are_alike(double found, double golden, double size, bool is_text) {
-  return std::abs(found - golden) <= (is_text ? kRoundingInTexts : kRounding) * size + (is_text ? 1 : kRounding);
-}
 
 /// Digits, and what follows a point between them.
 std::size_t end_of_number(const std::string& text, std::size_t at) {
@@ -30,6 +24,10 @@ std::size_t end_of_number(const std::string& text, std::size_t at) {
 }
 
 }  // namespace
+
+bool RunDigest::are_alike(double found, double golden, double size, bool is_text) const {
+  return std::abs(found - golden) <= (is_text ? kRoundingInTexts * size + 1 : rounding_ * (size + 1));
+}
 
 void RunDigest::add(const std::string& field, double number) {
   Sums& sums = fields_[field];
@@ -74,7 +72,7 @@ void RunDigest::take(const std::string& field, const ordered_json& value) {
 
 ordered_json RunDigest::json() const {
   auto all = ordered_json::object();
-  const auto short_number = [](double number) { return std::stod(fmt::format("{:.8g}", number)); };
+  const auto short_number = [](double number) { return std::stod(fmt::format("{:.11g}", number)); };
   for (const auto& [field, sums] : fields_)
     all[field] = {sums.count, short_number(sums.sum), short_number(sums.by_place / static_cast<double>(sums.count))};
   return all;

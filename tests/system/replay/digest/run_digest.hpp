@@ -11,6 +11,12 @@
 /// places are noticed, too. Texts that differ in their numbers only are one field.
 class RunDigest {
  public:
+  /// Of the sum of amounts. What compilers and processors round otherwise changed the drives by a tenth of it.
+  static constexpr double kRoundingOfDrives = 1e-4;
+
+  /// @param rounding  by which a sum may differ, of the sum of amounts.
+  explicit RunDigest(double rounding = kRoundingOfDrives) : rounding_(rounding) {}
+
   /// @param field  names what the value is: "estimate", of which "estimate.none" is a part.
   void take(const std::string& field, const nlohmann::ordered_json& value);
   /// By field: [how many, sum, sum by place].
@@ -27,5 +33,8 @@ class RunDigest {
   void add(const std::string& field, double number);
   void add_text(const std::string& field, const std::string& text);
 
+  bool are_alike(double found, double golden, double size, bool is_text) const;
+
+  double rounding_;
   std::map<std::string, Sums> fields_;
 };
