@@ -220,6 +220,7 @@ const std::vector<DigestedDrive>& digested_drives() {
                                               {"exchanged_lasers", wrongly_described_lasers},
                                               {"ride", ride_between_storeys},
                                               {"samples", samples_of_poor_records},
+                                              {"other_lasers", samples_of_other_lasers},
                                               {"features", features_of_scans},
                                               {"local_map", local_map_of_a_drive},
                                               {"sensor_findings", sensor_findings}};

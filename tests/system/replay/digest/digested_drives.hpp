@@ -15,6 +15,7 @@ const std::vector<DigestedDrive>& digested_drives();
 
 // What single stages make of such drives.
 RunDigest samples_of_poor_records();
+RunDigest samples_of_other_lasers();
 RunDigest features_of_scans();
 RunDigest local_map_of_a_drive();
 RunDigest sensor_findings();

@@ -8,6 +8,9 @@
 #include <opal/local_map/local_map.hpp>
 #include <opal/sensing/scan_pairing.hpp>
 
+#include <algorithm>
+#include <functional>
+
 using namespace opal;
 using namespace opal::simulation;
 using nlohmann::ordered_json;
@@ -19,8 +22,9 @@ constexpr double kHardly = 1e-9;
 
 World corridor() { return world_of({"corridor", 5, 300, 0.5}); }
 
-std::vector<Sample> paired(const World& world, const Arrivals& arrivals, std::map<std::string, int>& counts) {
-  ScanPairing pairing(world.deployment().lasers);
+std::vector<Sample> paired(const std::vector<LaserModel>& lasers, const Arrivals& arrivals,
+                           std::map<std::string, int>& counts) {
+  ScanPairing pairing(lasers);
   std::vector<Sample> samples;
   const auto take_all = [&] {
     while (auto sample = pairing.next()) samples.push_back(std::move(*sample));
@@ -33,6 +37,10 @@ std::vector<Sample> paired(const World& world, const Arrivals& arrivals, std::ma
   take_all();
   counts = pairing.counts();
   return samples;
+}
+
+std::vector<Sample> paired(const World& world, const Arrivals& arrivals, std::map<std::string, int>& counts) {
+  return paired(world.deployment().lasers, arrivals, counts);
 }
 
 ordered_json as_json(const Feature& feature) {
@@ -55,6 +63,79 @@ ordered_json as_json(const LaserView& view) {
   return json;
 }
 
+void take_samples(RunDigest& digest, const std::string& prefix, const std::vector<LaserModel>& lasers,
+                  const Arrivals& arrivals) {
+  std::map<std::string, int> counts;
+  for (const Sample& sample : paired(lasers, arrivals, counts)) {
+    digest.take(prefix + "stamp_s", sample.stamp_s);
+    digest.take(prefix + "T_odom_base", pose_json(sample.T_odom_base));
+    digest.take(prefix + "T_odom_recorded", pose_json(sample.T_odom_recorded));
+    digest.take(prefix + "views", static_cast<int>(sample.views.size()));
+    for (const LaserView& view : sample.views) digest.take(prefix + "view", as_json(view));
+  }
+  digest.take(prefix + "counts", counts);
+}
+
+/// Lasers that are described in another way, and what they say then.
+struct Variant {
+  std::string name;
+  std::function<void(LaserModel&)> describe;
+  std::function<bool(LogRecord&)> keeps;  ///< a record, which it may change
+};
+
+/// Changes scans, and keeps all.
+std::function<bool(LogRecord&)> scans(const std::function<void(RawScan&)>& change) {
+  return [change](LogRecord& record) {
+    if (auto* scan = std::get_if<RawScan>(&record)) change(*scan);
+    return true;
+  };
+}
+
+/// Changes odometry. @param change  gives whether it stays.
+std::function<bool(LogRecord&)> odometry(const std::function<bool(OdometryRecord&)>& change) {
+  return [change](LogRecord& record) {
+    auto* odometry = std::get_if<OdometryRecord>(&record);
+    return odometry == nullptr || change(*odometry);
+  };
+}
+
+void turn_clockwise(RawScan& scan) {
+  std::ranges::reverse(scan.ranges_m);
+  scan.angle_min_rad = 1.658063;
+  scan.angle_increment_rad = -0.0087266;
+  scan.time_increment_s = 2e-4;
+}
+
+void state_beam_times(RawScan& scan) {
+  for (std::size_t k = 0; k < scan.ranges_m.size(); ++k)
+    scan.beam_times_s.push_back(static_cast<float>(k % 2 == 0 ? 1e-4 * static_cast<double>(k) : 0.02));
+}
+
+std::vector<Variant> variants() {
+  const auto as_it_is = [](LaserModel&) {};
+  const auto by_log = [](LaserModel& laser) {
+    laser.sweep_s.reset();
+    laser.geometry_from_log = true;
+  };
+  const auto all_around = [](LaserModel& laser) {
+    laser.angle_min_rad = -1;
+    laser.angle_increment_rad = 2 * std::numbers::pi / 381;
+    laser.range_max_m = 6;
+  };
+  const auto jumps = [](OdometryRecord& record) {
+    if (record.stamp_s > 1.5) record.T_odom_base = Pose2(40, -7, 2) * record.T_odom_base;
+    return true;
+  };
+  const auto is_rare = [](const OdometryRecord& record) { return std::fmod(record.stamp_s, 0.4) < 0.02; };
+  return {{"clockwise", by_log, scans(turn_clockwise)},
+          {"beam_times", by_log, scans(state_beam_times)},
+          {"too_long_sweep", by_log, scans([](RawScan& scan) { scan.time_increment_s = 0.01; })},
+          {"all_around", all_around, scans([](RawScan&) {})},
+          {"odometry_with_scans", as_it_is, odometry([](const OdometryRecord&) { return false; })},
+          {"rare_odometry", as_it_is, odometry(is_rare)},
+          {"odometry_jumps", as_it_is, odometry(jumps)}};
+}
+
 std::vector<Feature> detected(const LocalizerParts& parts, const Sample& sample) {
   std::vector<Feature> features;
   for (const LaserView& view : sample.views)
@@ -68,23 +149,28 @@ std::vector<Feature> detected(const LocalizerParts& parts, const Sample& sample)
 
 RunDigest samples_of_poor_records() {
   const World world = corridor();
-  std::map<std::string, int> counts;
+  const Arrivals arrivals = arrivals_with(world, 7,
+                                          {{Fault::dropped, {1, 2}},
+                                           {Fault::doubled, {2, 3}},
+                                           {Fault::reordered, {3, 4}},
+                                           {Fault::laser_gone, {4, 5}},
+                                           {Fault::clock_back, {6, 7}}});
   RunDigest digest(kHardly);
-  for (const Sample& sample : paired(world,
-                                     arrivals_with(world, 7,
-                                                   {{Fault::dropped, {1, 2}},
-                                                    {Fault::doubled, {2, 3}},
-                                                    {Fault::reordered, {3, 4}},
-                                                    {Fault::laser_gone, {4, 5}},
-                                                    {Fault::clock_back, {6, 7}}}),
-                                     counts)) {
-    digest.take("sample.stamp_s", sample.stamp_s);
-    digest.take("sample.T_odom_base", pose_json(sample.T_odom_base));
-    digest.take("sample.T_odom_recorded", pose_json(sample.T_odom_recorded));
-    digest.take("sample.views", static_cast<int>(sample.views.size()));
-    for (const LaserView& view : sample.views) digest.take("view", as_json(view));
+  take_samples(digest, "", world.deployment().lasers, arrivals);
+  return digest;
+}
+
+RunDigest samples_of_other_lasers() {
+  const World world = corridor();
+  const Arrivals arrivals = arrivals_with(world, 3, {});
+  RunDigest digest(kHardly);
+  for (const Variant& variant : variants()) {
+    std::vector<LaserModel> lasers = world.deployment().lasers;
+    for (LaserModel& laser : lasers) variant.describe(laser);
+    Arrivals changed = arrivals;
+    std::erase_if(changed, [&](Arrival& arrival) { return !variant.keeps(arrival.record); });
+    take_samples(digest, variant.name + ".", lasers, changed);
   }
-  digest.take("counts", counts);
   return digest;
 }
 
