@@ -175,6 +175,19 @@ TEST_CASE("odometry that is no number, or lies beyond the world, is as if it had
   for (std::size_t k = 0; k < said.size(); ++k) CHECK(said[k] == expected[k]);
 }
 
+TEST_CASE("odometry is corrected by its scale before all else") {
+  const Driven robot;
+  LocalizerParts parts = robot.parts(fit_scorer(), {});
+  parts.odometry.distance = 2;
+  Localizer localizer(std::move(parts));
+  for (int k = 0; k < 5; ++k) {
+    Scan scan = scan_from(*robot.map, Pose2(3 + 0.4 * k, 4.5, 0));
+    scan.stamp_s = 100 + 0.5 * k;
+    localizer.update(sample_of(std::move(scan), Pose2(0.2 * k, 0, 0), T_base_laser));
+  }
+  CHECK(localizer.local_map().T_local_base().x() == Approx(1.6));
+}
+
 TEST_CASE("features of a laser are placed by its mount") {
   Driven robot;
   const Pose2 T_map_base(3, 4.5, 0.1);

@@ -105,6 +105,22 @@ TEST_CASE("a column does not hide what a detector sees on it, only what stands b
   CHECK(long_pairs() == 0);
 }
 
+TEST_CASE("a wall does not hide what is round and stands in it, only what is of another object") {
+  const auto pairs = [](std::size_t object_of_wall) {
+    const std::vector<MapObject> objects{{"a", "opal:Wall"}, {"b", "opal:Column"}, {"c", "opal:Wall"}};
+    std::vector<MapFeature> features;
+    for (const auto& [object, seen] :
+         {std::pair{std::size_t{0}, column(2.9, 0)}, std::pair{std::size_t{1}, column(7, 0)},
+          std::pair{object_of_wall, wall(3, 1, 3, -1)}})
+      features.push_back(
+          {"f" + std::to_string(features.size()), MapObjectNumber(object), seen.type, "lidar", seen.geometry});
+    const auto view = view_of(SemanticMap::make("pilaster", objects, features));
+    return find_pattern_layer(view, templates({"opal:ColumnPair"}), {8}).patterns.size();
+  };
+  CHECK(pairs(0) == 1);
+  CHECK(pairs(2) == 0);
+}
+
 TEST_CASE("a size limit keeps patterns of neighbours that are farther apart away") {
   CHECK(count(layer_of(column_grid(4, 2), kColumns, 7), "opal:ColumnPair") == 4);  // along y only
   CHECK(layer_of(column_grid(4, 2), kColumns, 6).patterns.empty());

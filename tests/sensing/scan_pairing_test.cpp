@@ -279,3 +279,15 @@ TEST_CASE("a time between beams that is too long to be true holds no scan back, 
   CHECK(counted == (increment_s * 359 > 10 ? 40 : increment_s * 359 > 0.5 ? 35 : 0));
   CHECK(left >= 38);
 }
+
+TEST_CASE("a sweep that the deployment states holds, however soon the next scan comes") {
+  const LaserModel laser = all_around(0.4);
+  ScanPairing pairing({laser});
+  for (int k = 0; k < 20; ++k) {
+    const RawScan raw = sweep_at(1 + 0.1 * k, laser);
+    pairing.take(odometry_at(raw.stamp_s));
+    pairing.take(raw);
+    stamps_of(pairing);
+  }
+  CHECK(pairing.counts().empty());
+}
