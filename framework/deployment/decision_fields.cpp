@@ -27,7 +27,8 @@ const StageFields<StatusOptions>& fields_of(const StatusOptions&) {
       {"localized_least_agreement", &O::localized_least_agreement, "", 0, 1,
        "Share of beams that end on mapped surfaces below which no evidence is enough: the map is of another place."},
       {"localized_drive_agreement", &O::localized_drive_agreement, "", 0, 1,
-       "The same share over the newest ten or so pieces of evidence, whichever place was the best in each. Below it, the "
+       "The same share over the newest ten or so pieces of evidence, whichever place was the best in each. Below it, "
+       "the "
        "map does not show the building as it is, and no place is localized. 0: any share will do."},
       {"localized_lead", &O::localized_lead, "", 0, 1,
        "Share of its own evidence by which the best place must lead over every other place. 0: any lead is enough."},
