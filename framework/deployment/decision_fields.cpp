@@ -14,22 +14,19 @@ const StageFields<StatusOptions>& fields_of(const StatusOptions&) {
        "Tempering weight of scans, summed up, during which the best place must hold that probability without a break. "
        "What is asked for grows by localized_weight_per_m and localized_weight_per_share."},
       {"localized_weight_per_m", &O::localized_weight_per_m, "1/m", 0, kUnlimited,
-       "Further tempering weight that is asked for per metre of straight wall that is seen and not on the map, beyond "
-       "localized_unmapped_m."},
+       "Further tempering weight per metre of straight wall beyond localized_unmapped_m that the map lacks."},
       {"localized_unmapped_m", &O::localized_unmapped_m, "m", 0, kUnlimited,
        "Length of straight walls around the robot that may be missing on the map without further evidence."},
       {"localized_agreement", &O::localized_agreement, "", 0, 1,
        "Share of beams that end on mapped surfaces, of all that end on them or pass through them. Below this share, "
        "further evidence is asked for."},
       {"localized_weight_per_share", &O::localized_weight_per_share, "", 0, kUnlimited,
-       "Further tempering weight that is asked for per unit by which the share of beams that end on mapped surfaces "
-       "is below localized_agreement."},
+       "Further tempering weight per unit by which the share that ends there is below localized_agreement."},
       {"localized_least_agreement", &O::localized_least_agreement, "", 0, 1,
        "Share of beams that end on mapped surfaces below which no evidence is enough: the map is of another place."},
       {"localized_drive_agreement", &O::localized_drive_agreement, "", 0, 1,
-       "The same share over the newest ten or so pieces of evidence, whichever place was the best in each. Below it, "
-       "the "
-       "map does not show the building as it is, and no place is localized. 0: any share will do."},
+       "Share of beams that end on mapped surfaces, over the newest ten or so pieces of evidence wherever the best "
+       "place was, below which nothing is localized: the map is not as the building is. 0: any share will do."},
       {"localized_lead", &O::localized_lead, "", 0, 1,
        "Share of its own evidence by which the best place must lead over every other place. 0: any lead is enough."},
       {"localized_lead_nat", &O::localized_lead_nat, "nat", 0, kUnlimited,

@@ -27,7 +27,7 @@ def cells_of(wrong_s, were_localized):
 
 
 def recorded(results):
-    """@param results  files of `opal bench`."""
+    """Of each query. @param results  files of `opal bench`."""
     wrong_s, were_localized = [], []
     for file in results:
         with file.open(newline="", encoding="utf-8") as text:
@@ -35,14 +35,14 @@ def recorded(results):
                 rows = list(of_query)
                 wrong_s.append(longest_localized_s(rows))
                 were_localized.append(any(row["status"] == "localized" for row in rows))
-    return cells_of(wrong_s, were_localized)
+    return wrong_s, were_localized
 
 
 def simulated(file):
-    """@param file  of `opal experiment faults`."""
+    """Of each drive. @param file  of `opal experiment faults`."""
     with file.open(newline="", encoding="utf-8") as text:
         wrong_s = [float(row["wrong_s"]) for row in csv.DictReader(text)]
-    return cells_of(wrong_s, [time_s > 0 for time_s in wrong_s])
+    return wrong_s, [time_s > 0 for time_s in wrong_s]
 
 
 def folder_of(bench):
@@ -79,9 +79,8 @@ def drive_simulated(bench, config):
     return kept
 
 
-def other_maps_table(bench):
-    if not bench.complete:
-        return {}
+def runs_by_label(bench):
+    """For how long [s] each run was localized without a break, and whether it ever was."""
     import_maps(bench)
     pairs = list(itertools.permutations(bench.sites, 2))
     made = {}
@@ -90,3 +89,7 @@ def other_maps_table(bench):
             made[f"recorded, {caution}"] = recorded(list(pool.map(lambda pair, config=one_laser: drive_on(bench, config, *pair), pairs)))
         made[f"simulated, {caution}"] = simulated(drive_simulated(bench, two_lasers))
     return made
+
+
+def other_maps_table(bench):
+    return {label: cells_of(*runs) for label, runs in runs_by_label(bench).items()} if bench.complete else {}

@@ -54,7 +54,7 @@ class Page(unittest.TestCase):
             "fuzzing": lambda: {"all": fuzzing.cells_of([FUZZED])},
             "mutants": lambda: {"all": mutants.cells_of({"mutants": 10, "noticed": 8, "explained": 1})}})
         for what, made in {"campus.row_of": (dict.fromkeys(campus.GROWING, 1.0), judge.totals([verdict])), "furnished.drives": ([verdict], 60),
-                           "lasers.verdicts": [verdict], "learning.learn_site": ([verdict], [verdict], collections.Counter(moved=1)), "redrawn.verdicts": [verdict], "sketched.verdicts": [verdict]}.items():
+                           "lasers.verdicts": [verdict], "other_maps.runs_by_label": {"recorded, strict": ([0.0, 2.0], [False, True])}, "learning.learn_site": ([verdict], [verdict], collections.Counter(moved=1)), "redrawn.verdicts": [verdict], "sketched.verdicts": [verdict]}.items():
             self.enterContext(unittest.mock.patch(what, return_value=made))
         for seeds in ([1], [1, 2, 3, 4], list(make_results.MAP_SEEDS)):
             tables.rewritten(page, make_results.make_tables(bench, driven, selection, seeds, page))
