@@ -153,9 +153,8 @@ std::string StatusEstimator::why_not_this_map() const {
         100 * (1 - agreement_.share()));
   if (drive_agreement_.share() < options_.localized_drive_agreement)
     return fmt::format(
-        "on the last metres {:.0f} % of the beams that the map speaks about pass through what it has, wherever the "
-        "best "
-        "place was, and at most {:.0f} % may: does the map show the building as it is?",
+        "on the last metres {:.0f} % of the beams that the map speaks about pass through what it has, and at most "
+        "{:.0f} % may, wherever the best place was: does the map show the building as it is?",
         100 * (1 - drive_agreement_.share()), 100 * (1 - options_.localized_drive_agreement));
   return "";
 }

@@ -22,8 +22,8 @@ LocalizerOptions careful_options() {
   return options;
 }
 
-/// A map of another building explains what is seen better than a damaged map of this one. A sound map is told from both
-/// with room to spare. Where a place fits by chance, another one mostly explains half as much: it must be less.
+/// A map of another building explains what is seen better than a damaged map of this one does. A sound map is told from
+/// both. A place that fits by chance mostly has less than twice the evidence of the next one.
 /// docs/notebook/evidence.md, 2026-11-28.
 LocalizerOptions strict_options() {
   LocalizerOptions options = careful_options();

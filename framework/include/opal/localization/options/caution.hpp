@@ -5,7 +5,7 @@
 
 namespace opal {
 
-/// What a deployment prefers where the evidence is thin. docs/results.md has what either costs.
+/// What a deployment prefers where the evidence is thin. docs/results.md has what each costs.
 enum class Caution {
   usual,    ///< the best known options: most places are called localized, and soon
   careful,  ///< fewer wrong poses are called localized; right ones later, and some never
