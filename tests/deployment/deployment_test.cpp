@@ -120,7 +120,7 @@ TEST_CASE("a strict deployment is careful, and asks for a map that shows the bui
   const StatusOptions careful = parsed(R"("caution": "careful")").stages.status,
                       strict = parsed(R"("caution": "strict")").stages.status;
   CHECK(strict.localized_weight == careful.localized_weight);
-  CHECK(strict.lead().nat(100) > careful.lead().nat(100));
+  CHECK(strict.lead().nat(50) > careful.lead().nat(50));  // where a place fits by chance
   CHECK(strict.localized_drive_agreement > 0);
   CHECK(careful.localized_drive_agreement == 0);
 }

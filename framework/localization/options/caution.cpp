@@ -28,6 +28,7 @@ LocalizerOptions careful_options() {
 LocalizerOptions strict_options() {
   LocalizerOptions options = careful_options();
   options.status.localized_lead = 0.5;
+  options.status.localized_lead_nat = 40;
   options.status.localized_drive_agreement = 0.85;
   return options;
 }
