@@ -19,7 +19,7 @@ class Campaign:
 CAMPAIGNS = {"integrity": Campaign(500),
              "integrity-careful": Campaign(2000, 2, ("--one-laser", "careful", "--two-lasers", "careful_two_lasers"),
                                            ("all", "alike", "storeys", "map", "event")),
-             "integrity-strict": Campaign(1000, 3, ("--one-laser", "strict", "--two-lasers", "strict_two_lasers"),
+             "integrity-strict": Campaign(800, 4, ("--one-laser", "strict", "--two-lasers", "strict_two_lasers"),
                                           ("all", "alike", "storeys", "map", "event"))}
 
 
