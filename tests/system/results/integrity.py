@@ -16,11 +16,12 @@ class Campaign:
     aspects: tuple = ()  # that the table shows; none: all of them
 
 
-CAMPAIGNS = {"integrity": Campaign(500),
-             "integrity-careful": Campaign(2000, 2, ("--one-laser", "careful", "--two-lasers", "careful_two_lasers"),
-                                           ("all", "alike", "storeys", "map", "event")),
-             "integrity-strict": Campaign(800, 4, ("--one-laser", "strict", "--two-lasers", "strict_two_lasers"),
-                                          ("all", "alike", "storeys", "map", "event"))}
+def cautious(caution, drives, seed):
+    robots = ("--one-laser", caution, "--two-lasers", f"{caution}_two_lasers")
+    return Campaign(drives, seed, robots, ("all", "alike", "storeys", "map", "event"))
+
+
+CAMPAIGNS = {"integrity": Campaign(500), "integrity-careful": cautious("careful", 2000, 2), "integrity-strict": cautious("strict", 800, 4)}
 
 
 def label_of(stratum):

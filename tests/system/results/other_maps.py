@@ -4,15 +4,14 @@ simulated drives of `opal experiment faults`."""
 import concurrent.futures
 import csv
 import itertools
-import os
 import pathlib
 import sys
 
+from faults import DRIVES, WRONG_FOR_S
 from redrawn import run
 
 CAUTIONS = {"usual": ("default", "two_lasers"), "careful": ("careful", "careful_two_lasers"), "strict": ("strict", "strict_two_lasers")}
-DRIVES, FAULT = 200, "another building's map"
-WRONG_FOR_S = 1
+FAULT = "another building's map"
 
 
 def longest_localized_s(rows):
@@ -54,12 +53,12 @@ def import_maps(bench):
     for site in bench.sites:
         folder = folder_of(bench) / "maps" / site
         own = folder / "own.jsonld"
-        if own.exists():
-            continue
         folder.mkdir(parents=True, exist_ok=True)
-        run(bench.opal, "map", "import", bench.folder / f"{site}.map.yaml", "-o", own)
-        for other in bench.sites:
-            os.symlink(own.name, folder / f"{other}.map.jsonld")
+        if not own.exists():
+            run(bench.opal, "map", "import", bench.folder / f"{site}.map.yaml", "-o", own)
+        for link in (folder / f"{other}.map.jsonld" for other in bench.sites):
+            if not link.is_symlink():
+                link.symlink_to(own.name)
 
 
 def drive_on(bench, config, site, other):
