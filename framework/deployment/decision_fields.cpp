@@ -21,7 +21,7 @@ const StageFields<StatusOptions>& fields_of(const StatusOptions&) {
        "Share of beams that end on mapped surfaces, of all that end on them or pass through them. Below this share, "
        "further evidence is asked for."},
       {"localized_weight_per_share", &O::localized_weight_per_share, "", 0, kUnlimited,
-       "Further tempering weight per unit by which the share that ends there is below localized_agreement."},
+       "Further tempering weight per unit by which the share that localized_agreement asks for is missed."},
       {"localized_least_agreement", &O::localized_least_agreement, "", 0, 1,
        "Share of beams that end on mapped surfaces below which no evidence is enough: the map is of another place."},
       {"localized_drive_agreement", &O::localized_drive_agreement, "", 0, 1,
