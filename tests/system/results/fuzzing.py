@@ -1,5 +1,6 @@
 """How often each reader met mangled input, and how much of it that reached: `./run fuzz`, by reader."""
 
+import json
 import pathlib
 import re
 import sys
@@ -8,24 +9,44 @@ from redrawn import run
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]
 BUILD = ROOT / "build/asan"
-SECONDS = 30  # of each reader
-RUNS = re.compile(r"^stat::number_of_executed_units: *(\d+)$", re.MULTILINE)
+SECONDS = 120  # of each reader
+MORE = 300  # seconds of each of the faster half, again and again, until all readers together made WANTED runs
+WANTED = 100_000_000
+RUNS_OF = re.compile(r"^stat::number_of_executed_units: *(\d+)$", re.MULTILINE)
+RATE = re.compile(r"^stat::average_exec_per_sec: *(\d+)$", re.MULTILINE)
 REACHED = re.compile(r"^#\d+.* cov: (\d+) .*corp: (\d+)/", re.MULTILINE)  # the last line of libFuzzer tells how far it got
 
 
-def cells_of(logs):
-    """Sums over the logs of libFuzzer."""
-    reached = [REACHED.findall(log)[-1] for log in logs]
-    return {"runs": str(sum(int(RUNS.search(log)[1]) for log in logs)), "branches reached": str(sum(int(edges) for edges, _ in reached)),
+def cells_of(rounds):
+    """Sums over readers, of which each has the logs of its rounds. A later round starts from the inputs that the earlier ones kept."""
+    reached = [REACHED.findall(logs[-1])[-1] for logs in rounds]
+    return {"runs": str(runs_of(rounds)), "branches reached": str(sum(int(edges) for edges, _ in reached)),
             "inputs kept": str(sum(int(kept) for _, kept in reached))}
 
 
+def runs_of(rounds):
+    return sum(int(RUNS_OF.search(log)[1]) for logs in rounds for log in logs)
+
+
+def fuzz(seconds, readers):
+    """A round: each reader's log."""
+    run(ROOT / "run", "fuzz", seconds, *readers)
+    return {reader: (BUILD / f"{reader}.log").read_text(errors="replace") for reader in readers or (BUILD / "fuzz_targets.txt").read_text().split()}
+
+
+def fuzz_on(rounds, file):
+    """One more round, kept in a file: who stops the command goes on with --reuse."""
+    fast = sorted(rounds, key=lambda reader: int(RATE.search(rounds[reader][0])[1]))[len(rounds) // 2:]
+    for reader, log in (fuzz(MORE, fast) if rounds else fuzz(SECONDS, [])).items():
+        rounds.setdefault(reader, []).append(log)
+    file.parent.mkdir(parents=True, exist_ok=True)
+    file.write_text(json.dumps(rounds))
+    print(f"fuzzing: {runs_of(rounds.values())} of {WANTED} runs", file=sys.stderr, flush=True)
+
+
 def fuzzing_table(options):
-    readers = BUILD / "fuzz_targets.txt"
-    logs = {}
-    if not (options.reuse and readers.exists()):
-        run(ROOT / "run", "fuzz", SECONDS)
-        print("fuzzing: done", file=sys.stderr, flush=True)
-    for reader in readers.read_text().split():
-        logs[reader] = (BUILD / f"{reader}.log").read_text(errors="replace")
-    return {**{reader: cells_of([log]) for reader, log in logs.items()}, "all": cells_of(list(logs.values()))}
+    kept = options.out / "fuzzing.json"
+    rounds = json.loads(kept.read_text()) if options.reuse and kept.exists() else {}
+    while runs_of(rounds.values()) < WANTED:
+        fuzz_on(rounds, kept)
+    return {**{reader: cells_of([logs]) for reader, logs in rounds.items()}, "all": cells_of(list(rounds.values()))}

@@ -51,7 +51,7 @@ class Page(unittest.TestCase):
             "drives-models": lambda: {"Duplex, Level 1": cells}, "faults": lambda: {"doubled": faults.cells_of(fault_rows)},
             **dict.fromkeys(integrity.CAMPAIGNS, lambda: {integrity.label_of(stratum): integrity.cells_of(stratum)}),
             "storeys": lambda: storeys.by_likeness(next(iter(storeys.BUILDINGS)), [storey]),
-            "fuzzing": lambda: {"all": fuzzing.cells_of([FUZZED])},
+            "fuzzing": lambda: {"all": fuzzing.cells_of([[FUZZED]])},
             "mutants": lambda: {"all": mutants.cells_of({"mutants": 10, "noticed": 8, "explained": 1})}})
         for what, made in {"campus.row_of": (dict.fromkeys(campus.GROWING, 1.0), judge.totals([verdict])), "furnished.drives": ([verdict], 60),
                            "lasers.verdicts": [verdict], "other_maps.runs_by_label": {"recorded, strict": ([0.0, 2.0], [False, True])}, "learning.learn_site": ([verdict], [verdict], collections.Counter(moved=1)), "redrawn.verdicts": [verdict], "sketched.verdicts": [verdict]}.items():
@@ -61,8 +61,8 @@ class Page(unittest.TestCase):
         self.assertTrue(tables.table_in(page, "calibration"))
 
     def test_the_last_line_of_a_fuzzer_tells_how_far_it_got(self):
-        self.assertEqual(fuzzing.cells_of([FUZZED]), {"runs": "81920", "branches reached": "1203", "inputs kept": "318"})
-        self.assertEqual(fuzzing.cells_of([FUZZED, FUZZED])["runs"], "163840")
+        self.assertEqual(fuzzing.cells_of([[FUZZED]]), {"runs": "81920", "branches reached": "1203", "inputs kept": "318"})
+        self.assertEqual(fuzzing.cells_of([[FUZZED], [FUZZED, FUZZED]]), {"runs": "245760", "branches reached": "2406", "inputs kept": "636"})
 
 
 if __name__ == "__main__":
