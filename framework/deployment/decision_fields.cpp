@@ -25,7 +25,7 @@ const StageFields<StatusOptions>& fields_of(const StatusOptions&) {
       {"localized_least_agreement", &O::localized_least_agreement, "", 0, 1,
        "Share of beams that end on mapped surfaces below which no evidence is enough: the map is of another place."},
       {"localized_drive_agreement", &O::localized_drive_agreement, "", 0, 1,
-       "Share of beams that end on mapped surfaces, over the newest ten or so pieces of evidence wherever the best "
+       "Share of beams that end on mapped surfaces, over the newest twenty or so pieces of evidence wherever the best "
        "place was, below which nothing is localized: the map is not as the building is. 0: any share will do."},
       {"localized_lead", &O::localized_lead, "", 0, 1,
        "Share of its own evidence by which the best place must lead over every other place. 0: any lead is enough."},
@@ -54,6 +54,9 @@ const StageFields<KidnappingOptions>& fields_of(const KidnappingOptions&) {
        "longer is."},
       {"alarm_nat", &O::alarm_nat, "nat", 0, kUnlimited,
        "A single scan that scores so much less than what is expected is looked at even if the robot stands still."},
+      {"doubted_share", &O::doubted_share, "", 0, 1,
+       "The robot may have been kidnapped if a scan speaks against its place and shows less than this share of what is "
+       "usually seen again. 0: only if it shows less than half of its points again."},
   };
   return all;
 }

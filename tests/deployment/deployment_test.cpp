@@ -123,6 +123,8 @@ TEST_CASE("a strict deployment is careful, and asks for a map that shows the bui
   CHECK(strict.lead().nat(50) > careful.lead().nat(50));  // where a place fits by chance
   CHECK(strict.localized_drive_agreement > 0);
   CHECK(careful.localized_drive_agreement == 0);
+  CHECK(parsed(R"("caution": "strict")").stages.kidnapping.doubted_share > 0);
+  CHECK(parsed(R"("caution": "careful")").stages.kidnapping.doubted_share == 0);
 }
 
 TEST_CASE("a scorer may stand twice where one observes, or with other options") {

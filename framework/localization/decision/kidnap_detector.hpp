@@ -65,6 +65,8 @@ class OPAL_EXPORT KidnapDetector {
   };
 
   void turn_to(const Evidence& seen);
+  /// Whether this scan shows enough of what was seen before.
+  bool continues(const Evidence& seen) const;
   /// Some scan since then, or just before, did not continue those before.
   bool discontinued(const Watch& watch) const;
   bool is_suspicious(const Watch& watch) const;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "localization/decision/map_agreement.hpp"
+#include <opal/common/export.hpp>
 
 #include <string>
 
@@ -18,10 +18,11 @@ class OPAL_EXPORT MapDoubt {
   /// @param most_weight  as StatusOptions::localized_most_weight, in pieces of evidence.
   explicit MapDoubt(double most_weight) : most_weight_(most_weight) {}
 
-  /// @param agreement     of the map with the newest scan, at the best place.
-  /// @param weight        how much of a new piece of evidence the scan was, in (0, 1].
+  /// @param agreeing      share of the beams that the map speaks about that end on it, over the last pieces of
+  /// evidence.
+  /// @param weight        how much of a new piece of evidence the newest scan was, in (0, 1].
   /// @param is_localized  the best place is called localized.
-  void add(const MapAgreement& agreement, double weight, bool is_localized);
+  void add(double agreeing, double weight, bool is_localized);
   void clear();
 
   bool stands() const { return stands_; }
@@ -30,7 +31,7 @@ class OPAL_EXPORT MapDoubt {
 
  private:
   double most_weight_;
-  MeanAgreement agreement_{0.95};   ///< over about 20 pieces
+  double agreeing_ = 1;
   double found_ = 0, unfound_ = 0;  ///< evidence since a place is localized, or since none is
   double searched_ = 0;             ///< the longest that none was, since the doubt stands
   bool stands_ = false;

@@ -230,7 +230,8 @@ PoseEstimate StatusEstimator::estimate(const std::vector<Live>& alive, const Pos
   Judgement judged = judge(alive.front(), T_local_base, estimate, now);
   estimate.status = judged.status;
   belief_.why = std::move(judged.why);
-  if (contradiction_.empty()) map_doubt_.add(now.agreement, now.tempering_weight, estimate.status == Status::localized);
+  if (contradiction_.empty())
+    map_doubt_.add(drive_agreement_.share(), now.tempering_weight, estimate.status == Status::localized);
   reckon_with(now.kidnapped, estimate);
   was_localized_ = was_localized_ || estimate.status == Status::localized;
   T_map_local_ = alive.front().hypothesis.T_map_local;

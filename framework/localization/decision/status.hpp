@@ -113,9 +113,9 @@ class OPAL_EXPORT StatusEstimator {
   };
   Held held_;
   bool was_localized_ = false;
-  double mean_scan_nat_ = 0;            ///< of the best hypothesis, over the newest scans
-  MeanAgreement agreement_;             ///< since the best place is the same
-  MeanAgreement drive_agreement_{0.9};  ///< over about ten pieces, whichever place was the best
+  double mean_scan_nat_ = 0;             ///< of the best hypothesis, over the newest scans
+  MeanAgreement agreement_;              ///< since the best place is the same
+  MeanAgreement drive_agreement_{0.95};  ///< over about twenty pieces, whichever place was the best
   MapDoubt map_doubt_;
   /// Of the best place over the best one elsewhere, in evidence.
   struct Lead {

@@ -30,6 +30,7 @@ LocalizerOptions strict_options() {
   options.status.localized_lead = 0.5;
   options.status.localized_lead_nat = 40;
   options.status.localized_drive_agreement = 0.85;
+  options.kidnapping.doubted_share = 0.75;
   return options;
 }
 

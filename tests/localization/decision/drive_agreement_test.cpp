@@ -27,8 +27,8 @@ TEST_CASE("a map that did not explain the drive is not believed where it explain
   CHECK(after_a_poor_drive({}).weight_until_localized(sound) == StatusOptions().localized_weight);
   CHECK(Answer(strict()).weight_until_localized(sound) == StatusOptions().localized_weight);
   const double asked = after_a_poor_drive(strict()).weight_until_localized(sound);
-  CHECK(asked > 4);
-  CHECK(asked < 15);
+  CHECK(asked > 8);
+  CHECK(asked < 25);
 }
 
 TEST_CASE("what a map explains of the drive is told in shares of beams") {

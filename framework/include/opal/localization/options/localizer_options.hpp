@@ -130,8 +130,8 @@ struct StatusOptions {
   double localized_weight_per_share = 30;
   /// Share of beams that end on mapped surfaces below which the map is another place's: no evidence is enough.
   double localized_least_agreement = 0.25;
-  /// The same over the newest ten or so pieces of evidence, whichever place was the best in each: a map that does not
-  /// explain the drive is not believed where it explains a part of it. 0: any share will do.
+  /// The same over the newest twenty or so pieces of evidence, whichever place was the best in each: a map that does
+  /// not explain the drive is not believed where it explains a part of it. 0: any share will do.
   double localized_drive_agreement = 0;
   /// Share of its evidence by which the best place must lead over any other place. Where two places look alike, what
   /// errors of the map and of the model add up to decides.
@@ -157,6 +157,9 @@ struct KidnappingOptions {
   double prior_nat = -5.6;  ///< log prior that a robot was kidnapped whose scan does not continue those before
   double scan_nat = 0.15;   ///< what a scan says for the place that the robot was kidnapped from
   double alarm_nat = 0.5;   ///< a scan that alone gives this suspicion is looked at even if the robot stands
+  /// A scan that speaks against the place does not continue those before, either, if it shows a smaller share than
+  /// this, times the usual one, of what was seen before.
+  double doubted_share = 0;
 };
 
 /// Rides in lifts that the map has (StoreyConnection).
