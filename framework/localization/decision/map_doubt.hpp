@@ -18,8 +18,7 @@ class OPAL_EXPORT MapDoubt {
   /// @param most_weight  as StatusOptions::localized_most_weight, in pieces of evidence.
   explicit MapDoubt(double most_weight) : most_weight_(most_weight) {}
 
-  /// @param agreeing      share of the beams that the map speaks about that end on it, over the last pieces of
-  /// evidence.
+  /// @param agreeing      of the beams that the map speaks about, the share that ended on it lately.
   /// @param weight        how much of a new piece of evidence the newest scan was, in (0, 1].
   /// @param is_localized  the best place is called localized.
   void add(double agreeing, double weight, bool is_localized);

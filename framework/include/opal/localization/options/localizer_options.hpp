@@ -157,8 +157,8 @@ struct KidnappingOptions {
   double prior_nat = -5.6;  ///< log prior that a robot was kidnapped whose scan does not continue those before
   double scan_nat = 0.15;   ///< what a scan says for the place that the robot was kidnapped from
   double alarm_nat = 0.5;   ///< a scan that alone gives this suspicion is looked at even if the robot stands
-  /// A scan that speaks against the place does not continue those before, either, if it shows a smaller share than
-  /// this, times the usual one, of what was seen before.
+  /// A scan that speaks against the place does not continue those before if it shows less than this, times the usual
+  /// share, of what was seen before. 0: it does not matter what the scan says.
   double doubted_share = 0;
 };
 
