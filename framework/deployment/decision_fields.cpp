@@ -55,9 +55,8 @@ const StageFields<KidnappingOptions>& fields_of(const KidnappingOptions&) {
       {"alarm_nat", &O::alarm_nat, "nat", 0, kUnlimited,
        "A single scan that scores so much less than what is expected is looked at even if the robot stands still."},
       {"doubted_share", &O::doubted_share, "", 0, 1,
-       "A scan that speaks against the place may be of a kidnapped robot if it shows less than this share of what "
-       "scans "
-       "usually show again. 0: what a scan says does not matter here, only whether it shows half of its points again."},
+       "A scan that speaks against the place may be of a kidnapped robot if it shows less than this share of what is "
+       "usually seen again. 0: it does not matter what the scan says."},
   };
   return all;
 }

@@ -117,14 +117,14 @@ TEST_CASE("a careful deployment asks for more, and what its stages say goes firs
 }
 
 TEST_CASE("a strict deployment is careful, and asks for a map that shows the building as it is") {
-  const StatusOptions careful = parsed(R"("caution": "careful")").stages.status,
-                      strict = parsed(R"("caution": "strict")").stages.status;
-  CHECK(strict.localized_weight == careful.localized_weight);
-  CHECK(strict.lead().nat(50) > careful.lead().nat(50));  // where a place fits by chance
-  CHECK(strict.localized_drive_agreement > 0);
-  CHECK(careful.localized_drive_agreement == 0);
-  CHECK(parsed(R"("caution": "strict")").stages.kidnapping.doubted_share > 0);
-  CHECK(parsed(R"("caution": "careful")").stages.kidnapping.doubted_share == 0);
+  const LocalizerOptions careful = parsed(R"("caution": "careful")").stages,
+                         strict = parsed(R"("caution": "strict")").stages;
+  CHECK(strict.status.localized_weight == careful.status.localized_weight);
+  CHECK(strict.status.lead().nat(50) > careful.status.lead().nat(50));  // where a place fits by chance
+  CHECK(strict.status.localized_drive_agreement > 0);
+  CHECK(careful.status.localized_drive_agreement == 0);
+  CHECK(strict.kidnapping.doubted_share > 0);
+  CHECK(careful.kidnapping.doubted_share == 0);
 }
 
 TEST_CASE("a scorer may stand twice where one observes, or with other options") {

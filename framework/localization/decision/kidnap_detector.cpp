@@ -31,11 +31,11 @@ constexpr double kSearchFrom_nat = 3;
 
 void KidnapDetector::add(const Evidence& seen) {
   const bool fell = agreement_fall_.add(seen.agreement);
-  turn_to(seen);
   if (fell || !continues(seen)) discontinued_ = seen.keyframe;
   is_broken_ = seen.match_share < kBrokenShare * usual_share_;
   constexpr double kShareMemory = 0.8;
   usual_share_ = kShareMemory * usual_share_ + (1 - kShareMemory) * seen.match_share;
+  turn_to(seen);
   // Without a break, scans taken close together miss the same walls: they say little more than one of them does.
   const double share = discontinued(watch_) ? 1 : seen.tempering_weight;
   const double missing_nat = share * (wanted_nat() - seen.scan_nat);

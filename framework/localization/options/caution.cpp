@@ -23,8 +23,9 @@ LocalizerOptions careful_options() {
 }
 
 /// A map of another building explains what is seen better than a damaged map of this one does. A sound map is told from
-/// both. A place that fits by chance mostly has less than twice the evidence of the next one.
-/// docs/notebook/evidence.md, 2026-11-28.
+/// both. A place that fits by chance mostly has less than twice the evidence of the next one. On a sound map a scan
+/// that speaks against the place is rare, so it is reason enough to think of a kidnapping. docs/notebook/evidence.md,
+/// 2026-11-28.
 LocalizerOptions strict_options() {
   LocalizerOptions options = careful_options();
   options.status.localized_lead = 0.5;

@@ -12,7 +12,7 @@ BUILD = ROOT / "build/asan"
 SECONDS = 120  # of each reader
 MORE = 300  # seconds of each of the faster half, again and again, until all readers together made WANTED runs
 WANTED = 100_000_000
-RUNS_OF = re.compile(r"^stat::number_of_executed_units: *(\d+)$", re.MULTILINE)
+RUNS = re.compile(r"^stat::number_of_executed_units: *(\d+)$", re.MULTILINE)
 RATE = re.compile(r"^stat::average_exec_per_sec: *(\d+)$", re.MULTILINE)
 REACHED = re.compile(r"^#\d+.* cov: (\d+) .*corp: (\d+)/", re.MULTILINE)  # the last line of libFuzzer tells how far it got
 
@@ -25,7 +25,7 @@ def cells_of(rounds):
 
 
 def runs_of(rounds):
-    return sum(int(RUNS_OF.search(log)[1]) for logs in rounds for log in logs)
+    return sum(int(RUNS.search(log)[1]) for logs in rounds for log in logs)
 
 
 def fuzz(seconds, readers):
@@ -34,10 +34,14 @@ def fuzz(seconds, readers):
     return {reader: (BUILD / f"{reader}.log").read_text(errors="replace") for reader in readers or (BUILD / "fuzz_targets.txt").read_text().split()}
 
 
+def faster_half(rounds):
+    return sorted(rounds, key=lambda reader: int(RATE.search(rounds[reader][0])[1]))[len(rounds) // 2:]
+
+
 def fuzz_on(rounds, file):
     """One more round, kept in a file: who stops the command goes on with --reuse."""
-    fast = sorted(rounds, key=lambda reader: int(RATE.search(rounds[reader][0])[1]))[len(rounds) // 2:]
-    for reader, log in (fuzz(MORE, fast) if rounds else fuzz(SECONDS, [])).items():
+    logs = fuzz(MORE, faster_half(rounds)) if rounds else fuzz(SECONDS, [])
+    for reader, log in logs.items():
         rounds.setdefault(reader, []).append(log)
     file.parent.mkdir(parents=True, exist_ok=True)
     file.write_text(json.dumps(rounds))
