@@ -57,10 +57,6 @@ double LiveCore::waited_since(double stamp_s, double received_s) {
   return waited_s;
 }
 
-void LiveCore::hint(const PoseHint& hint) { localizer_.hint(hint); }
-
-void LiveCore::reset() { localizer_.reset(); }
-
 std::vector<HealthFinding> LiveCore::health(double received_s) const {
   std::vector<HealthFinding> findings = health_.findings(received_s);
   for (const SensorFinding& finding : localizer_.sensor_findings()) {

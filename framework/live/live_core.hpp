@@ -20,8 +20,6 @@ class OPAL_EXPORT LiveCore {
   void take(const LogRecord& record, double received_s, double now_s, const Listener& answer);
   /// No more records will come.
   void finish(const Listener& answer);
-  void hint(const PoseHint& hint);
-  void reset();
 
   std::vector<HealthFinding> health(double received_s) const;
   const std::map<std::string, int>& counts() const { return pairing_.counts(); }

@@ -15,15 +15,17 @@ using Clock = std::chrono::steady_clock;
 
 double seconds_of(Clock::time_point time) { return std::chrono::duration<double>(time.time_since_epoch()).count(); }
 
-struct Reset {};
-
-/// What the localizing thread is asked to do.
+/// What the localizing thread is to take.
 struct Task {
-  std::variant<LogRecord, PoseHint, Reset> what;
+  LogRecord record;
   double received_s;
   double now_s;
 
-  std::size_t kind() const { return what.index(); }
+  /// What somebody says makes way for nothing that sensors say.
+  std::size_t kind() const {
+    const bool is_said = std::holds_alternative<HintRecord>(record) || std::holds_alternative<ForgetRecord>(record);
+    return is_said ? record.index() : 0;
+  }
 };
 
 }  // namespace
@@ -33,7 +35,6 @@ struct LiveLocalizer::State {
       : core(std::move(parts), options, events), tasks(options.most_queued, &Task::kind) {}
 
   void work(const std::stop_token& stop);
-  void carry_out(const Task& task);
   void publish(LiveAnswer answer, const Task& task);
 
   LiveCore core;  ///< touched by the thread only
@@ -47,13 +48,6 @@ struct LiveLocalizer::State {
 
   std::jthread thread;  ///< last: it ends before what it uses
 };
-
-void LiveLocalizer::State::carry_out(const Task& task) {
-  if (const auto* hint = std::get_if<PoseHint>(&task.what)) return core.hint(*hint);
-  if (std::holds_alternative<Reset>(task.what)) return core.reset();
-  core.take(std::get<LogRecord>(task.what), task.received_s, task.now_s,
-            [&](LiveAnswer answer) { publish(std::move(answer), task); });
-}
 
 /// The time in which the answer was found is part of its latency.
 void LiveLocalizer::State::publish(LiveAnswer answer, const Task& task) {
@@ -69,7 +63,9 @@ void LiveLocalizer::State::publish(LiveAnswer answer, const Task& task) {
 void LiveLocalizer::State::work(const std::stop_token& stop) {
   constexpr std::chrono::milliseconds kHealthEvery(200);
   while (!stop.stop_requested()) {
-    if (const std::optional<Task> task = tasks.next(stop, kHealthEvery)) carry_out(*task);
+    if (const std::optional<Task> task = tasks.next(stop, kHealthEvery))
+      core.take(task->record, task->received_s, task->now_s,
+                [&](LiveAnswer answer) { publish(std::move(answer), *task); });
     std::vector<HealthFinding> now = core.health(seconds_of(Clock::now()));
     const int dropped = tasks.dropped();
     const std::lock_guard lock(mutex);
@@ -89,10 +85,6 @@ LiveLocalizer::~LiveLocalizer() = default;
 void LiveLocalizer::take(LogRecord record, double now_s) {
   state_->tasks.give({std::move(record), seconds_of(Clock::now()), now_s});
 }
-
-void LiveLocalizer::hint(const PoseHint& hint) { state_->tasks.give({hint, 0, 0}); }
-
-void LiveLocalizer::reset() { state_->tasks.give({Reset{}, 0, 0}); }
 
 LiveAnswer LiveLocalizer::newest() const {
   const std::lock_guard lock(state_->mutex);

@@ -1,24 +1,12 @@
-#include <opal/localization/localizer.hpp>
+#include "localization/localizer_state.hpp"
 
 #include "common/stage_clock.hpp"
-#include "local_map/laser_odometry.hpp"
 #include "localization/alignment/coarse_points.hpp"
 #include "localization/alignment/pose_step.hpp"
 #include "localization/alignment/registration.hpp"
-#include "localization/decision/kidnap_detector.hpp"
-#include "localization/decision/ride_watch.hpp"
-#include "localization/decision/status.hpp"
 #include "localization/decision/unmapped_walls.hpp"
-#include "localization/events/run_journal.hpp"
-#include "localization/guarded_parts.hpp"
 #include "localization/observation/observation.hpp"
-#include "localization/observation/plugin_failures.hpp"
-#include "localization/observation/settling.hpp"
-#include "localization/scoring/scorer_ensemble.hpp"
-#include "localization/search/map_search.hpp"
-#include "localization/tree/hypothesis_set.hpp"
 #include "sensing/motion_check.hpp"
-#include "sensor_health/sensor_monitors.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -32,75 +20,10 @@ constexpr double kSafeStep_m = 0.2, kSafeTurn_rad = 0.1;
 
 }  // namespace
 
-struct Localizer::State {
-  State(LocalizerParts parts_given, EventSink* sink)
-      : parts(guarded(std::move(parts_given), failures)),
-        odometry(parts.odometry),
-        sensors(parts.lasers, parts.matcher),
-        laser_odometry(parts.matcher),
-        local_map(parts.local_map, parts.matcher),
-        ensemble(parts.scorers, parts.map, failures),
-        global_search(parts.map, parts.patterns, ensemble, parts.stages.search),
-        journal(sink ? *sink : nobody, parts.map, ensemble, global_search),
-        retrospective(parts.map, ensemble, parts.stages.verification, parts.stages.tracking.evidence_memory,
-                      parts.stages.status.lead()),
-        hypotheses(parts.map, ensemble, parts.stages, journal),
-        kidnapping(parts.stages.kidnapping, parts.stages.tracking.evidence_memory),
-        rides(parts.map, parts.stages.rides),
-        search_session(global_search, parts.stages.schedule),
-        status(parts.stages.status, parts.stages.tracking.evidence_memory) {}
-
-  Sample checked(Sample sample);
-  void forget_drive();
-  bool is_keyframe(const Sample& sample);
-  bool fits_no_more(const Sample& sample) const;
-  double tempering_weight() const;  ///< of the newest scan
-  PoseEstimate estimate(const Observation& observation);
-  void track(const Observation& observation, const Sample& sample);
-  void carry();
-  std::optional<Pose2> best_pose_at(const Pose2& T_odom_base) const;
-  PoseEstimate with_place(PoseEstimate estimate) const;
-  void watch(const Observation& observation);
-  void settle();
-  int searched_every() const;
-  void search_map(const Observation& observation, const Sample& sample);
-  UnderConstrained under_constrained() const;
-  void grow();
-  std::vector<LocalFeatureId> pattern_of_best() const;
-
-  NullEventSink nobody;
-  PluginFailures failures;
-  LocalizerParts parts;
-  ScaledOdometry odometry;
-  SensorMonitors sensors;
-  LaserOdometry laser_odometry;  ///< while the wheels' counts do not arrive
-  LocalMap local_map;
-  ScorerEnsemble ensemble;
-  GlobalSearch global_search;
-  RunJournal journal;
-  RetrospectiveVerification retrospective;
-  HypothesisSet hypotheses;
-  ScanAgreement newest_agreement;
-  KidnapDetector kidnapping;
-  RideWatch rides;
-  Settling settling;
-  MapSearch search_session;  ///< global searches from scan to scan
-  StatusEstimator status;
-
-  bool started = false;
-  double stamp_s = 0;
-  KeyframeId keyframe;              ///< the newest one
-  Pose2 T_odom_base;                ///< at the newest keyframe
-  double step_m = 0, turn_rad = 0;  ///< since the previous keyframe
-  bool rode = false;                ///< a lift may have carried the robot since it came to rest
-  bool search_now = false;          ///< the robot may have been kidnapped, since this scan
-  double sensor_s = 0;              ///< CPU time of the sensor check since the newest keyframe
-  StageTimes times;
-};
-
 // The pipeline; its stages follow.
 std::optional<PoseEstimate> Localizer::update(const Sample& recorded) {
   State& s = *state_;
+  s.heed(recorded.said);
   if (!tells_motion(recorded)) return std::nullopt;  // as if it had not come
   const Sample sample = s.checked(recorded);
   if (!s.is_keyframe(sample)) return std::nullopt;
@@ -137,6 +60,22 @@ std::optional<PoseEstimate> Localizer::update(const Sample& recorded) {
   s.journal.cost(s.times, s.times.total_s());
   s.started = true;
   return estimate;
+}
+
+void Localizer::State::heed(const Said& said) {
+  if (said.forget) {
+    reset();
+    journal.forgot();
+  }
+  if (said.hint) search_session.hint(*said.hint);
+}
+
+void Localizer::State::reset() {
+  search_session.forget_hint();
+  sensors.clear();
+  laser_odometry.clear();
+  forget_drive();
+  journal.reset();
 }
 
 /// A description that the drive contradicts turns every pose. What the wheels do not count, the scans may tell.
@@ -298,59 +237,5 @@ void Localizer::State::grow() {
   hypotheses.forget(local_map);
   hypotheses.grow(stable, local_map);
 }
-
-std::vector<LocalFeatureId> Localizer::State::pattern_of_best() const {
-  std::vector<LocalFeatureId> features;
-  for (const Association& pair : hypotheses.tree().first_pairs(hypotheses.alive().front().leaf))
-    features.push_back(pair.local_feature);
-  return features;
-}
-
-Localizer::Localizer(LocalizerParts parts, EventSink* events)
-    : state_(std::make_unique<State>(std::move(parts), events)) {}
-Localizer::~Localizer() = default;
-
-PoseEstimate Localizer::estimate_at(double stamp_s, const Pose2& T_odom_base) const {
-  const Pose2 T_local_base =
-      state_->local_map.T_local_base_at(state_->laser_odometry.at(state_->odometry.at(T_odom_base)));
-  return state_->with_place(state_->status.at(stamp_s, T_local_base));
-}
-
-void Localizer::hint(const PoseHint& hint) { state_->search_session.hint(hint); }
-
-void Localizer::reset() {
-  state_->search_session.forget_hint();
-  state_->sensors.clear();
-  state_->laser_odometry.clear();
-  state_->forget_drive();
-  state_->journal.reset();
-}
-
-void Localizer::keep_pattern() {
-  if (!state_->hypotheses.alive().empty()) state_->local_map.keep_only(state_->pattern_of_best());
-}
-
-const LocalMap& Localizer::local_map() const { return state_->local_map; }
-const MapView& Localizer::map() const { return *state_->parts.map; }
-
-std::vector<Hypothesis> Localizer::hypotheses() const {
-  std::vector<Hypothesis> alive;
-  for (const Live& live : state_->hypotheses.alive()) alive.push_back(live.hypothesis);
-  return alive;
-}
-
-std::map<std::string, Score> Localizer::scores_of(HypothesisId hypothesis) const {
-  std::map<std::string, Score> scores;
-  for (const Live& live : state_->hypotheses.alive())
-    if (live.hypothesis.id == hypothesis)
-      for (std::size_t k = 0; k < live.scores.size(); ++k) scores[state_->ensemble.scorers()[k].name] = live.scores[k];
-  return scores;
-}
-
-const std::vector<SensorFinding>& Localizer::sensor_findings() const { return state_->sensors.findings(); }
-const std::string& Localizer::why() const { return state_->status.belief().why; }
-std::string Localizer::map_doubt() const { return state_->status.map_doubt(); }
-const StageTimes& Localizer::last_times() const { return state_->times; }
-const std::map<std::string, int>& Localizer::plugin_failures() const { return state_->failures.counts(); }
 
 }  // namespace opal

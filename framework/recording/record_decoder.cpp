@@ -1,5 +1,7 @@
 #include "recording/record_decoder.hpp"
 
+#include "common/phrases.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -12,6 +14,9 @@ constexpr double kUprightCosine = 0.985;
 
 // A driver without a clock leaves its stamps at zero.
 double stamp_or_received(double stamp_s, double received_s) { return stamp_s == 0 ? received_s : stamp_s; }
+
+/// @param chosen  name of a topic; empty: none.
+bool is_topic(const std::string& chosen, const Topic& topic) { return !chosen.empty() && topic.name == chosen; }
 
 /// Seen from above, the beams of a laser that hangs upside down turn the other way.
 void turn_beams(RawScan& scan) {
@@ -57,15 +62,17 @@ void RecordDecoder::add_mount(const LaserMount& mount) {
 }
 
 bool RecordDecoder::reads(const Topic& topic) const {
-  return reads_scans_of(topics_, topic.name) || (!topics_.odometry.empty() && topic.name == topics_.odometry) ||
-         (transforms_are_odometry_ && has_transforms(topic, false));
+  return reads_scans_of(topics_, topic.name) || is_topic(topics_.odometry, topic) || is_topic(topics_.hints, topic) ||
+         is_topic(topics_.forget, topic) || (transforms_are_odometry_ && has_transforms(topic, false));
 }
 
 std::optional<LogRecord> RecordDecoder::decode(const Topic& topic, Bytes data, double received_s) {
   if (!reads(topic)) return std::nullopt;
   if (topics_.slices.contains(topic.name)) return slice_of(topic, data, received_s);
   if (reads_scans_of(topics_, topic.name)) return scan_of(data, topic.wire, received_s);
-  if (topic.name == topics_.odometry) return pose_of(data, topic.wire, received_s);
+  if (is_topic(topics_.odometry, topic)) return pose_of(data, topic.wire, received_s);
+  if (is_topic(topics_.hints, topic)) return hint_of(data, topic.wire, received_s);
+  if (is_topic(topics_.forget, topic)) return ForgetRecord{};
   return transform_of(data, topic.wire, received_s);
 }
 
@@ -103,6 +110,20 @@ std::optional<LogRecord> RecordDecoder::pose_of(Bytes data, Wire wire, double re
   }
   odometry->odometry.stamp_s = stamp_or_received(odometry->odometry.stamp_s, received_s);
   return odometry->odometry;
+}
+
+std::optional<LogRecord> RecordDecoder::hint_of(Bytes data, Wire wire, double received_s) {
+  std::optional<HintMessage> said = decode_hint(data, wire);
+  if (!said) {
+    ++defects_["hint that is damaged, or no pose"];
+    return std::nullopt;
+  }
+  if (const std::string frame = without_slash(said->frame); frame != topics_.map_frame) {
+    ++defects_["hint in frame " + in_quotes(frame) + ", expected " + in_quotes(topics_.map_frame)];
+    return std::nullopt;
+  }
+  said->hint.stamp_s = stamp_or_received(said->hint.stamp_s, received_s);
+  return said->hint;
 }
 
 std::optional<LogRecord> RecordDecoder::transform_of(Bytes data, Wire wire, double received_s) {

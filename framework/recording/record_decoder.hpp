@@ -48,6 +48,7 @@ class RecordDecoder {
   std::optional<LogRecord> slice_of(const Topic& topic, Bytes data, double received_s);
   std::optional<LogRecord> scan_of(Bytes data, Wire wire, double received_s);
   std::optional<LogRecord> pose_of(Bytes data, Wire wire, double received_s);
+  std::optional<LogRecord> hint_of(Bytes data, Wire wire, double received_s);
   std::optional<LogRecord> transform_of(Bytes data, Wire wire, double received_s);
 
   TopicChoice topics_;

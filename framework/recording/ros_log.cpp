@@ -106,7 +106,10 @@ TopicChoice topic_choice(const nlohmann::json& options) {
   std::vector<std::string> scans = names_in(options.at("scan_topics").get<std::string>());
   const std::string scan = options.at("scan_topic");
   if (!scan.empty() && std::find(scans.begin(), scans.end(), scan) == scans.end()) scans.insert(scans.begin(), scan);
-  return {std::move(scans), options.at("odometry_topic"), options.at("odom_frame"), options.at("base_frame")};
+  TopicChoice choice{std::move(scans), options.at("odometry_topic"), options.at("odom_frame"),
+                     options.at("base_frame")};
+  choice.hints = options.value("hint_topic", "");
+  return choice;
 }
 
 TopicChoice with_topics_of(TopicChoice choice, const std::vector<LaserModel>& lasers) {

@@ -1,6 +1,8 @@
 #include "recording/ros_messages.hpp"
 #include "recording/wire_reader.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -9,6 +11,9 @@ namespace {
 
 constexpr std::size_t kMostReadings = 100'000;
 constexpr double kFarthest_m = 1e7;
+// What "2D Pose Estimate" of RViz sends.
+constexpr double kRvizSigma_m = 0.5, kRvizSigma_rad = 0.26;
+constexpr std::size_t kVarianceX = 0, kVarianceY = 7, kVarianceHeading = 35;
 
 /// Position and quaternion (x y z w), as in geometry_msgs/msg/Pose and Transform.
 /// @return nullopt if they are no pose; or there are too few bytes, which the reader tells.
@@ -24,6 +29,10 @@ std::optional<Eigen::Isometry3d> read_pose(WireReader& wire) {
   pose.linear() = turn.normalized().toRotationMatrix();
   pose.translation() = position;
   return pose;
+}
+
+double sigma_of(double variance, double otherwise) {
+  return std::isfinite(variance) && variance > 0 ? std::sqrt(variance) : otherwise;
 }
 
 void mark_out_of_range(std::vector<float>& ranges_m, float range_min_m, float range_max_m) {
@@ -77,6 +86,29 @@ std::optional<OdometryMessage> decode_odometry(Bytes message, Wire wire) {
   return OdometryMessage{{header->stamp_s, projected(*T_odom_base)}, header->frame, std::move(base_frame)};
 }
 
+std::optional<HintMessage> decode_hint(Bytes message, Wire wire) {
+  WireReader reader(message, wire);
+  const std::optional<MessageHeader> header = read_header(reader);
+  if (!header) return std::nullopt;
+  const std::optional<Eigen::Isometry3d> T_map_base = read_pose(reader);
+  std::array<double, 36> covariance;
+  for (double& value : covariance) value = reader.number<double>();
+  if (!reader.ok() || !T_map_base) return std::nullopt;
+  const double position = std::max(covariance[kVarianceX], covariance[kVarianceY]);
+  return HintMessage{{header->stamp_s,
+                      {projected(*T_map_base), sigma_of(position, kRvizSigma_m),
+                       sigma_of(covariance[kVarianceHeading], kRvizSigma_rad)}},
+                     header->frame};
+}
+
+std::optional<double> decode_clock(Bytes message, Wire wire) {
+  WireReader reader(message, wire);
+  const auto seconds = reader.number<std::int32_t>();
+  const auto nanoseconds = reader.number<std::uint32_t>();
+  if (!reader.ok()) return std::nullopt;
+  return seconds + 1e-9 * nanoseconds;
+}
+
 std::optional<std::vector<Transform>> decode_transforms(Bytes message, Wire wire, Defects* left_out) {
   WireReader reader(message, wire);
   constexpr std::size_t kLeastBytes = 72;  // stamp, two empty names, seven numbers
@@ -107,6 +139,7 @@ bool has_type(const Topic& topic, const std::string& type) {
 bool has_scans(const Topic& topic) { return has_type(topic, "sensor_msgs/LaserScan"); }
 bool has_clouds(const Topic& topic) { return has_type(topic, "sensor_msgs/PointCloud2"); }
 bool has_odometry(const Topic& topic) { return has_type(topic, "nav_msgs/Odometry"); }
+bool has_hints(const Topic& topic) { return has_type(topic, "geometry_msgs/PoseWithCovarianceStamped"); }
 bool has_transforms(const Topic& topic, bool are_static) {
   const bool has_them = has_type(topic, "tf2_msgs/TFMessage") || has_type(topic, "tf/tfMessage");
   return has_them && topic.name.ends_with("tf_static") == are_static;

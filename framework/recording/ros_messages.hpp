@@ -22,6 +22,11 @@ struct OdometryMessage {
   std::string odom_frame;   ///< in which the pose is given
   std::string base_frame;   ///< whose pose it is
 };
+/// geometry_msgs/PoseWithCovarianceStamped, as somebody says where the robot is.
+struct HintMessage {
+  HintRecord hint;    ///< a covariance of zeros is replaced by that of RViz; a stamp of 0 is one that was never set
+  std::string frame;  ///< in which the pose is given
+};
 /// geometry_msgs/TransformStamped. A stamp of 0 is one that was never set.
 struct Transform {
   double stamp_s = 0;                                                ///< by the clock of the log
@@ -34,6 +39,10 @@ struct Transform {
 std::optional<LaserScanMessage> decode_laser_scan(Bytes message, Wire wire);
 /// @return nullopt for a damaged message, or one whose pose is none.
 std::optional<OdometryMessage> decode_odometry(Bytes message, Wire wire);
+/// @return nullopt for a damaged message, or one whose pose is none.
+std::optional<HintMessage> decode_hint(Bytes message, Wire wire);
+/// rosgraph_msgs/Clock, in seconds. @return nullopt for a damaged message.
+std::optional<double> decode_clock(Bytes message, Wire wire);
 /// tf2_msgs/TFMessage and tf/tfMessage. A transform whose numbers are no pose is left out: the others of its message
 /// are whole.
 /// @param left_out  counts those, each by its frames; may be null.
@@ -53,6 +62,8 @@ bool has_scans(const Topic& topic);
 bool has_clouds(const Topic& topic);
 /// Whether a topic has odometry.
 bool has_odometry(const Topic& topic);
+/// Whether a topic has poses that somebody says.
+bool has_hints(const Topic& topic);
 /// Whether a topic has transforms; those that change (/tf) or those that do not (/tf_static).
 bool has_transforms(const Topic& topic, bool are_static);
 

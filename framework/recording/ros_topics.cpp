@@ -83,6 +83,27 @@ void choose_odometry(const std::string& path, const Parts& parts, const TopicCho
     chosen.remarks.push_back("the option base_frame is not used: " + chosen.topics.odometry + " is the odometry");
 }
 
+/// They are taken only where somebody asks for it: Opal needs none, and a recording of other software may have them of
+/// another map.
+void choose_hints(const Parts& parts, const TopicChoice& wanted, ChosenTopics& chosen) {
+  constexpr const char* kUsual = "/initialpose";
+  const std::set<std::string> hints = names_where(parts, has_hints);
+  if (hints.contains("/" + wanted.hints)) chosen.topics.hints = "/" + wanted.hints;  // people leave it out
+  if (wanted.hints.empty() && hints.contains(kUsual))
+    chosen.remarks.push_back("hints of the pose on " + std::string(kUsual) +
+                             " are not taken: the option hint_topic may name it");
+  if (!wanted.hints.empty() && !hints.contains(chosen.topics.hints))
+    chosen.remarks.push_back("no hints of the pose on " + wanted.hints + ", which the option hint_topic names");
+}
+
+/// A robot of several has its name before the topic's.
+void choose_forget(const Parts& parts, const TopicChoice& wanted, ChosenTopics& chosen) {
+  const std::set<std::string> names = names_where(parts, [&](const Topic& topic) {
+    return has_type(topic, "std_msgs/Empty") && topic.name.ends_with(wanted.forget);
+  });
+  if (!names.empty() && !names.contains(wanted.forget)) chosen.topics.forget = *names.begin();
+}
+
 }  // namespace
 
 std::vector<std::size_t> topics_where(const Recording& part, const TopicTest& test) {
@@ -115,6 +136,8 @@ ChosenTopics choose_topics(const std::string& path, const Parts& parts, const To
   ChosenTopics chosen{wanted, {}};
   if (!wanted.are_all_slices) choose_scans(path, parts, wanted, chosen);
   for (const auto& [topic, laser] : wanted.slices) choose(path, cloud_topics(parts), kClouds, topic);
+  choose_hints(parts, wanted, chosen);
+  choose_forget(parts, wanted, chosen);
   chosen.topics.odom_frame = without_slash(wanted.odom_frame);
   chosen.topics.base_frame = without_slash(wanted.base_frame);
   if (first == OdometryFirst::transforms && find_odometry_link(parts, chosen.topics).exists)

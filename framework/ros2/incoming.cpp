@@ -65,6 +65,14 @@ std::vector<Quality> qualities_for(const WantedTopic& wanted, const std::vector<
   return all;
 }
 
+std::string usual_odometry(const std::vector<Offer>& offers) {
+  std::set<std::string> topics;
+  for (const Offer& offer : offers)
+    if (offer.type == "nav_msgs/msg/Odometry") topics.insert(offer.topic);
+  if (topics.contains("/odom")) return "/odom";
+  return topics.size() == 1 ? *topics.begin() : "";
+}
+
 std::string complaint_about(const WantedTopic& wanted, const std::vector<Offer>& offers) {
   std::string other_type;
   for (const Offer& offer : offers) {

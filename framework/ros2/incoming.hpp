@@ -23,6 +23,9 @@ std::vector<Quality> qualities_for(const WantedTopic& wanted, const std::vector<
 /// What keeps a topic from being read, in words; empty: nothing.
 std::string complaint_about(const WantedTopic& wanted, const std::vector<Offer>& offers);
 
+/// The only topic of odometry, or /odom; empty if there is none, or several.
+std::string usual_odometry(const std::vector<Offer>& offers);
+
 /// Reads topics, with the quality that is offered. One thread at a time.
 class Incoming {
  public:

@@ -1,7 +1,6 @@
 #include "ros2/robot_node.hpp"
 
 #include <opal/common/error.hpp>
-#include "common/phrases.hpp"
 #include "common/write_error.hpp"
 
 #include <chrono>
@@ -31,7 +30,11 @@ bool is_due(double& last_s, double interval_s) {
 
 recording::RosStream stream_of(const NodeOptions& options) {
   const double forever = std::numeric_limits<double>::infinity();
-  return recording::RosStream(options.read, options.needs_mounts ? forever : kMountPatienceS);
+  recording::TopicChoice topics = options.read;
+  topics.hints = options.incoming.initial_pose;
+  topics.forget = options.incoming.forget;
+  topics.map_frame = options.frames.map;
+  return recording::RosStream(std::move(topics), options.needs_mounts ? forever : kMountPatienceS);
 }
 
 }  // namespace
@@ -95,13 +98,7 @@ void RobotNode::run(const std::stop_token& stop, ServiceNotice& notice) {
 
 void RobotNode::route(recording::ReceivedMessage message) {
   const IncomingTopics& topics = options_.incoming;
-  if (message.topic.name == topics.initial_pose) return hint_at(message);
   if (message.topic.name == topics.clock) return set_clock(message);
-  if (message.topic.name == topics.forget) {
-    if (live_) live_->reset();
-    std::cerr << "ros2: asked on " << topics.forget << " to forget everything\n";
-    return;
-  }
   if (message.topic.name == topics.tf) look_at_transforms(message);
   if (recording::has_odometry(message.topic) && message.topic.name != options_.read.odometry &&
       message.topic.name != recorded_odometry_) {
@@ -130,6 +127,8 @@ void RobotNode::drain() {
     if (!next->record) continue;
     if (const auto* odometry = std::get_if<OdometryRecord>(&*next->record))
       odometry_comparison_.hear_message(*odometry);
+    if (std::holds_alternative<ForgetRecord>(*next->record))
+      std::cerr << "ros2: asked on " << options_.incoming.forget << " to forget everything\n";
     if (live_)
       localize(std::move(*next->record), now_s());
     else
@@ -171,22 +170,8 @@ void RobotNode::announce(const std::stop_token& stop) {
   }
 }
 
-void RobotNode::hint_at(const recording::ReceivedMessage& message) {
-  const std::optional<FramedHint> framed = decode_pose_hint(message.bytes());
-  if (!framed || framed->frame != options_.frames.map) {
-    std::cerr << "ros2: " << message.topic.name << ": "
-              << (framed ? "frame " + in_quotes(framed->frame) : std::string("no pose"))
-              << ", expected a pose in frame " << in_quotes(options_.frames.map) << '\n';
-    return;
-  }
-  if (live_)
-    live_->hint(framed->hint);
-  else
-    early_hint_ = framed->hint;
-}
-
 void RobotNode::set_clock(const recording::ReceivedMessage& message) {
-  if (const auto time_s = decode_clock(message.bytes()); time_s) sim_time_s_ = time_s;
+  if (const auto time_s = recording::decode_clock(message.bytes(), message.topic.wire); time_s) sim_time_s_ = time_s;
 }
 
 void RobotNode::fall_back_to_odometry_topic() {

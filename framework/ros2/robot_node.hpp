@@ -9,7 +9,6 @@
 #include "ros2/odometry/odom_frame.hpp"
 #include "ros2/odometry/odometry_comparison.hpp"
 #include "ros2/odometry/odometry_patience.hpp"
-#include "ros2/pose_hint.hpp"
 #include "ros2/pose_keeper.hpp"
 #include "ros2/pose_memory.hpp"
 #include "ros2/service_notice.hpp"
@@ -30,7 +29,9 @@ struct IncomingTopics {
 };
 
 struct NodeOptions {
-  recording::TopicChoice read;  ///< scans have to be named; without odometry transforms are it, or the usual topic
+  /// Scans have to be named; without odometry transforms are it, or the usual topic. What hints are, and who wants all
+  /// to be forgotten, is in `incoming`.
+  recording::TopicChoice read;
   IncomingTopics incoming;
   OutgoingTopics outgoing;
   FrameOptions frames;
@@ -68,7 +69,6 @@ class RobotNode {
   void route(recording::ReceivedMessage message);
   void look_at_transforms(const recording::ReceivedMessage& message);
   void drain();
-  void hint_at(const recording::ReceivedMessage& message);
   void set_clock(const recording::ReceivedMessage& message);
   void record(const recording::ReceivedMessage& message);
   void begin_recording();
@@ -105,8 +105,7 @@ class RobotNode {
   bool fell_back_ = false;         // odometry is read from its topic, because no transform was it
   std::string recorded_odometry_;  // a topic that is not read any more, but for the recording
   std::optional<FileRecorder> recorder_;
-  std::vector<LogRecord> before_;       // records from before the localizer was made
-  std::optional<PoseHint> early_hint_;  // the same
+  std::vector<LogRecord> before_;  // records from before the localizer was made
   std::optional<double> sim_time_s_;
   double other_seen_s_ = -1e9;
   HealthReport report_;

@@ -23,7 +23,6 @@ void RobotNode::begin() {
     live_->hint({*pose, kMemorySigmaM, kMemorySigmaRad});
     std::cerr << "ros2: the pose of the last run is taken as a hint\n";
   }
-  if (early_hint_) live_->hint(*early_hint_);
   for (LogRecord& record : before_) localize(std::move(record), std::numeric_limits<double>::quiet_NaN());
   before_.clear();
   start_announcing();

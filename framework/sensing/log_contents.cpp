@@ -8,6 +8,8 @@ class RecordTally {
  public:
   void take(const OdometryRecord& odometry) { own_.add(odometry.stamp_s, odometry.T_odom_base); }
   void take(const MountRecord& mount) { mounts_.push_back(mount); }
+  void take(const HintRecord&) {}
+  void take(const ForgetRecord&) {}
   void take(const RawScan& scan) {
     scan_stamps_.add(scan.stamp_s);
     laser_.add(scan);

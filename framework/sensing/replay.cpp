@@ -30,9 +30,6 @@ class Records {
   std::size_t position_ = 0;
 };
 
-double stamp_of(const OdometryRecord& odometry) { return odometry.stamp_s; }
-double stamp_of(const RawScan& scan) { return scan.stamp_s; }
-
 }  // namespace
 
 struct Replay::State {
@@ -43,11 +40,13 @@ struct Replay::State {
   ReplayOptions options;
   ScanPairing pairing;
 
-  /// Mounts hold for the whole log, and what has no stamp is the pairing's to count.
+  /// Mounts hold for the whole log, and before the time that is played nothing is there to forget. What is stamped by
+  /// no number is the pairing's to count.
   bool is_played(const MountRecord&) const { return true; }
+  bool is_played(const ForgetRecord&) const { return true; }
   template <class Stamped>
   bool is_played(const Stamped& record) const {
-    return !(stamp_of(record) < options.from_s || stamp_of(record) > options.to_s);
+    return !(record.stamp_s < options.from_s || record.stamp_s > options.to_s);
   }
 };
 

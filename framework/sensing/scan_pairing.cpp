@@ -55,9 +55,12 @@ struct ScanPairing::State {
   double last_odometry_s = kNever;         // of records and of scans with their own
   double last_stream_odometry_s = kNever;  // of records
   double last_left_s = kNever;             // stamp of the newest scan that does not wait any more
+  Said said;                               // for the next sample
   std::map<std::string, int> counts;
 
   void take(const MountRecord&) {}
+  void take(const HintRecord& record) { said.hint = record.hint; }
+  void take(const ForgetRecord&) { said = {.forget = true, .hint = std::nullopt}; }
   void take(const OdometryRecord& odometry);
   void take(const RawScan& raw);
   void advance_clock(double stamp_s, double& last_of_stream_s);
@@ -263,6 +266,7 @@ std::optional<Sample> ScanPairing::State::release(const Group& group) {
   Sample sample{together.back().scan.stamp_s, T_track_base, {}, track.recorded(T_track_base)};
   for (PendingScan& waiting : together) sample.views.push_back(view_of(std::move(waiting), T_track_base));
   std::ranges::sort(sample.views, {}, &LaserView::laser);
+  sample.said = std::exchange(said, {});
   return sample;
 }
 

@@ -55,6 +55,7 @@ struct Driven {
   Heard heard;
   Localizer localizer;
   double stamp_s = 100;
+  Said said;  ///< with the next sample
 
   explicit Driven(std::shared_ptr<const HypothesisScorer> scorer = fit_scorer(), const LocalizerOptions& options = {})
       : localizer(parts(std::move(scorer), options), &heard) {}
@@ -73,7 +74,9 @@ struct Driven {
     detector->features = detected_from(*map, T_map_base);
     Scan scan = scan_from(*map, T_map_base);
     scan.stamp_s = stamp_s += 0.5;
-    return localizer.update(sample_of(std::move(scan), T_odom_base, T_base_laser));
+    Sample sample = sample_of(std::move(scan), T_odom_base, T_base_laser);
+    sample.said = std::exchange(said, {});
+    return localizer.update(sample);
   }
   std::optional<PoseEstimate> drive_to(const Pose2& T_map_base) { return see_at(T_map_base, T_map_base); }
   /// Keyframe after keyframe across the room.

@@ -159,6 +159,25 @@ TEST_CASE("after a reset a localizer is as new, whatever was before") {
   for (std::size_t k = 0; k < first.size(); ++k) CHECK(again[k] == first[k]);
 }
 
+TEST_CASE("a sample says what somebody said before it") {
+  const PoseHint there{Pose2(3.1, 4.4, 0.15), 0.2, 0.1};
+  Driven asked, told;
+  for (Driven* robot : {&asked, &told}) robot->drive_on(4);
+  asked.localizer.reset();
+  asked.localizer.hint(there);
+  told.said = {.forget = true, .hint = there};
+  for (Driven* robot : {&asked, &told}) {
+    robot->heard.all.clear();
+    robot->drive_on(4);
+  }
+  CHECK(told.heard.of("start").size() == 1);  // who calls reset writes it otherwise
+  std::erase_if(told.heard.all, [](const auto& event) { return event["event"] == "start"; });
+  CHECK(told.heard.said() == asked.heard.said());
+  CHECK(told.localizer.local_map().keyframes().size() == 4);
+  const auto began = told.heard.of("spawned");
+  CHECK(std::ranges::any_of(began, [](const auto& event) { return event["origin"] == "hint"; }));
+}
+
 TEST_CASE("odometry that is no number, or lies beyond the world, is as if it had not come") {
   constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
   Driven disturbed, fresh;

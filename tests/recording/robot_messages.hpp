@@ -1,8 +1,14 @@
 #pragma once
 
+#include "recording/containers/mcap_writer.hpp"
 #include "recording/ros_stream.hpp"
 #include "tests/plugins/logs/bag_writer.hpp"
 
+#include <opal/recording/mcap_recording.hpp>
+#include <opal/recording/ros_log.hpp>
+
+#include <map>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -43,6 +49,24 @@ inline std::vector<LogRecord> streamed(RosStream& stream, const std::vector<Rece
       if (next->record) records.push_back(*next->record);
   }
   return records;
+}
+
+/// A recording of them.
+inline Parts parts_of(const std::vector<ReceivedMessage>& messages) {
+  std::ostringstream out;
+  McapWriter writer(out, "made.mcap");
+  std::map<std::string, std::uint16_t> channels;
+  for (const ReceivedMessage& message : messages) {
+    const auto [channel, is_new] = channels.try_emplace(message.topic.name, 0);
+    if (is_new)
+      channel->second =
+          writer.add_channel(message.topic.name, writer.add_schema(message.topic.type, "ros2msg", ""), "cdr");
+    writer.write(channel->second, 0, message.received_ns, message.received_ns, message.bytes());
+  }
+  writer.finish();
+  Parts parts;
+  parts.push_back(read_mcap(std::make_unique<std::istringstream>(out.str()), "made.mcap"));
+  return parts;
 }
 
 }  // namespace robot_messages

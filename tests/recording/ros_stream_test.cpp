@@ -1,5 +1,4 @@
 #include "recording/ros_stream.hpp"
-#include "mcap_file.hpp"
 #include "robot_messages.hpp"
 
 #include "recording/ros_contents.hpp"
@@ -22,23 +21,6 @@ std::vector<ReceivedMessage> late_mount() {
   }
   messages.insert(messages.begin() + 14, received(kStatic, 1.71, laser_link(0.3)));
   return messages;
-}
-
-Parts parts_of(const std::vector<ReceivedMessage>& messages) {
-  std::ostringstream out;
-  McapWriter writer(out, "made.mcap");
-  std::map<std::string, std::uint16_t> channels;
-  for (const ReceivedMessage& message : messages) {
-    const auto [channel, is_new] = channels.try_emplace(message.topic.name, 0);
-    if (is_new)
-      channel->second =
-          writer.add_channel(message.topic.name, writer.add_schema(message.topic.type, "ros2msg", ""), "cdr");
-    writer.write(channel->second, 0, message.received_ns, message.received_ns, message.bytes());
-  }
-  writer.finish();
-  Parts parts;
-  parts.push_back(read_mcap(std::make_unique<std::istringstream>(out.str()), "made.mcap"));
-  return parts;
 }
 
 std::vector<LogRecord> recorded(const std::vector<ReceivedMessage>& messages) {

@@ -1,10 +1,6 @@
 #include "ros2/incoming.hpp"
-#include "ros2/pose_hint.hpp"
-#include "tests/plugins/logs/bag_writer.hpp"
 
 #include <catch2/catch.hpp>
-
-#include <numbers>
 
 namespace {
 
@@ -17,15 +13,6 @@ const WantedTopic kFixed{"/tf_static", "tf2_msgs/msg/TFMessage", true, true};
 Offer offer(const WantedTopic& wanted, bool reliable, bool transient_local) {
   return {wanted.topic, wanted.type, {reliable, transient_local, 1}};
 }
-
-std::string hint_bytes(double x, double heading_rad, double variance) {
-  log_tests::CdrWriter cdr;
-  cdr.header(5, "map").pose({x, 2, 0, 0, 0, std::sin(heading_rad / 2), std::cos(heading_rad / 2)});
-  for (int i = 0; i < 36; ++i) cdr.number(i == 0 || i == 7 || i == 35 ? variance : 0.0);
-  return cdr.bytes();
-}
-
-recording::Bytes as_bytes(const std::string& text) { return std::as_bytes(std::span(text)); }
 
 }  // namespace
 
@@ -62,23 +49,6 @@ TEST_CASE("a topic that is not there is told, with others of its type") {
   WantedTopic optional = kScans;
   optional.is_needed = false;
   CHECK(complaint_about(optional, {}).empty());
-}
-
-TEST_CASE("a pose of RViz becomes a hint with its spread") {
-  const auto framed = decode_pose_hint(as_bytes(hint_bytes(1, 2.5, 0.04)));
-  REQUIRE(framed);
-  CHECK(framed->frame == "map");
-  CHECK(framed->hint.T_map_base.x() == 1);
-  CHECK(framed->hint.T_map_base.heading_rad() == Approx(2.5));
-  CHECK(framed->hint.sigma_m == Approx(0.2));
-  CHECK(decode_pose_hint(as_bytes(hint_bytes(1, 2.5, 0)))->hint.sigma_m == Approx(0.5));
-}
-
-TEST_CASE("a hint that is no pose, or cut anywhere, is none") {
-  const std::string whole = hint_bytes(1, 0, 1);
-  for (std::size_t length = 0; length < whole.size(); ++length)
-    CHECK_FALSE(decode_pose_hint(as_bytes(whole.substr(0, length))));
-  CHECK_FALSE(decode_pose_hint(as_bytes(hint_bytes(std::numeric_limits<double>::quiet_NaN(), 0, 1))));
 }
 
 TEST_CASE("of several topics of odometry the usual one is taken, or none") {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "localization/decision/status.hpp"
+#include "localization/events/run_events.hpp"
 #include "localization/tree/hypothesis_set.hpp"
 
 #include <opal/common/stage_times.hpp>
@@ -31,6 +32,8 @@ class OPAL_EXPORT RunJournal final : public HypothesisListener {
   void cost(const StageTimes& times, double total_s);
   /// The localizer was reset.
   void reset();
+  /// It was reset because somebody asked to forget everything: a new time line.
+  void forgot() { events_.write(start_event("after all was forgotten")); }
 
   void spawned(const Live& live, const Beginning& beginning) override;
   void ended(const Live& live, const Ending& ending) override;

@@ -4,7 +4,7 @@
 #include "localization/search/candidate_generation.hpp"
 
 #include <opal/common/stage_times.hpp>
-#include <opal/localization/search/pose_hint.hpp>
+#include <opal/sensing/pose_hint.hpp>
 #include <opal/sensing/sample.hpp>
 
 #include <memory>

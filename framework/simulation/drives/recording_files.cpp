@@ -35,6 +35,8 @@ std::string line_of(const RawScan& scan) {
 }
 
 std::string line_of(const MountRecord&) { return ""; }
+std::string line_of(const HintRecord&) { return ""; }
+std::string line_of(const ForgetRecord&) { return ""; }
 
 std::vector<std::string> lines_of(const Recording& recording) {
   std::vector<std::string> lines;

@@ -49,6 +49,11 @@ void check_message(Bytes message, Wire wire) {
   }
   if (const auto odometry = decode_odometry(message, wire))
     require(odometry->odometry.T_odom_base.position().allFinite());
+  if (const auto said = decode_hint(message, wire)) {
+    require(said->hint.hint.T_map_base.position().allFinite());
+    require(said->hint.hint.sigma_m > 0 && said->hint.hint.sigma_rad > 0);
+  }
+  decode_clock(message, wire);
   check_cloud(message, wire);
   if (const auto transforms = decode_transforms(message, wire)) check_frames(*transforms);
 }

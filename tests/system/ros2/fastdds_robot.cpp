@@ -114,6 +114,8 @@ class Mouth {
     motion_ = by_transforms_ ? robot.writer("rt/tf", new tf2_msgs::msg::dds_::TFMessage_PubSubType, reliable)
                              : robot.writer("rt/odom", new nav_msgs::msg::dds_::Odometry_PubSubType, reliable);
     if (motion == "both") wheels_ = robot.writer("rt/odom", new nav_msgs::msg::dds_::Odometry_PubSubType, reliable);
+    hints_ = robot.writer("rt/initialpose", new geometry_msgs::msg::dds_::PoseWithCovarianceStamped_PubSubType, true);
+    forget_ = robot.writer("rt/opal/forget", new std_msgs::msg::dds_::Empty_PubSubType, true);
     Transforms mounts;
     for (const Laser& laser : lasers_) {
       TopicDataType* const type = laser.sends_clouds
@@ -129,12 +131,22 @@ class Mouth {
     for (DataWriter* writer : scans_) wait_for_listener(writer, "scans", 0);
   }
   void say(const Record& record) {
+    if (record.is_said()) return say_as_a_person(record);
     if (!record.is_scan() || lasers_.size() == 1) say_pose(record);
     for (std::size_t k = 0; k < lasers_.size(); ++k)
       if (record.kind == lasers_[k].message) say_scan(record, k);
   }
 
  private:
+  void say_as_a_person(const Record& record) {
+    if (record.kind == "HINT") {
+      auto hint = hint_of(record);
+      hints_->write(&hint);
+    } else {
+      std_msgs::msg::dds_::Empty_ nothing;
+      forget_->write(&nothing);
+    }
+  }
   void say_pose(const Record& record) {
     if (by_transforms_) {
       Transforms pose;
@@ -168,6 +180,7 @@ class Mouth {
   std::vector<Laser> lasers_;
   DataWriter* motion_ = nullptr;
   DataWriter* wheels_ = nullptr;
+  DataWriter *hints_ = nullptr, *forget_ = nullptr;
   std::vector<DataWriter*> scans_;  // by laser
 };
 

@@ -46,14 +46,16 @@ inline Laser laser_of(std::string words) {
 }
 
 struct Record {
-  std::string kind;  // "ODOM", or the message of a laser
+  std::string kind;  // "ODOM", the message of a laser, or what a person says: "HINT", "FORGET"
   double stamp_s = 0, x = 0, y = 0, heading = 0;
   std::vector<float> ranges;
 
-  bool is_scan() const { return kind != "ODOM"; }
+  bool is_scan() const { return kind == "FLASER" || kind == "RLASER"; }
+  bool is_said() const { return kind == "HINT" || kind == "FORGET"; }
 };
 
-/// ODOM x y heading tv rv accel stamp host stamp; FLASER n ranges... x y heading x y heading stamp host stamp
+/// ODOM x y heading tv rv accel stamp host stamp; FLASER n ranges... x y heading x y heading stamp host stamp; and for
+/// tests: HINT x y heading stamp; FORGET x y heading stamp
 inline std::vector<Record> read_log(std::istream& log) {
   std::vector<Record> records;
   for (std::string line; std::getline(log, line);) {
@@ -61,14 +63,14 @@ inline std::vector<Record> read_log(std::istream& log) {
     std::string skipped;
     Record record;
     words >> record.kind;
-    if (record.kind != "ODOM" && record.kind != "FLASER" && record.kind != "RLASER") continue;
+    if (record.kind != "ODOM" && !record.is_scan() && !record.is_said()) continue;
     std::size_t beams = 0;
     if (record.is_scan()) words >> beams;
     record.ranges.resize(beams);
     for (float& range : record.ranges) words >> range;
     for (int i = 0; record.is_scan() && i < 3; ++i) words >> skipped;
     words >> record.x >> record.y >> record.heading;
-    for (int i = 0; !record.is_scan() && i < 3; ++i) words >> skipped;
+    for (int i = 0; record.kind == "ODOM" && i < 3; ++i) words >> skipped;
     words >> record.stamp_s;
     records.push_back(record);
   }
@@ -86,6 +88,17 @@ inline geometry_msgs::msg::dds_::TransformStamped_ link(double stamp_s, const st
   transform.transform().rotation().z(std::sin(heading / 2));
   transform.transform().rotation().w(std::cos(heading / 2));
   return transform;
+}
+
+inline geometry_msgs::msg::dds_::PoseWithCovarianceStamped_ hint_of(const Record& record) {
+  geometry_msgs::msg::dds_::PoseWithCovarianceStamped_ hint;
+  hint.header().stamp(time_at(record.stamp_s));
+  hint.header().frame_id("map");
+  hint.pose().pose().position().x(record.x);
+  hint.pose().pose().position().y(record.y);
+  hint.pose().pose().orientation().z(std::sin(record.heading / 2));
+  hint.pose().pose().orientation().w(std::cos(record.heading / 2));
+  return hint;
 }
 
 /// A planar laser lies in the floor's plane; a lidar is 1 m above it, and looks down by 0.1 rad.

@@ -36,9 +36,9 @@ class ADriveChecks(Bench):
         info = subprocess.run([PROGRAM, "info", recording, "--json"], cwd=self.folder, stdout=subprocess.PIPE, check=True)
         return {topic["name"]: topic["messages"] for topic in json.loads(info.stdout)["topics"]}
 
-    def check_replay(self, poses, config="malaga", map=MALAGA / "malaga-demo.map.yaml"):
+    def check_replay(self, poses, *words, config="malaga", map=MALAGA / "malaga-demo.map.yaml"):
         """The recording of the live run gives the poses that were published, to the digits that were."""
-        subprocess.run([PROGRAM, "localize", config, "drive.mcap", "--map", map, "-o", "out"], cwd=self.folder,
+        subprocess.run([PROGRAM, "localize", config, "drive.mcap", "--map", map, "-o", "out", *words], cwd=self.folder,
                        stdout=subprocess.PIPE, check=True)
         rows, compared = replayed(self.folder / "out"), 0
         for pose in poses:
@@ -80,6 +80,17 @@ class ADrive(ADriveChecks):
         self.assertEqual(width * height, cells)
         self.assertGreater(occupied, 1000)
 
+    def test_what_a_person_says_is_in_the_recording_and_a_replay_has_it(self):
+        said = {36: ["FORGET 0 0 0 4.2961"], 38: ["HINT 9.1 -10.7 0 4.5"]}
+        heard, errors = self.drive(2, "tf", "reliable", "--record", "drive.mcap", said=said)
+        poses = numbers(heard, "pose")
+        self.assertIn("asked on /opal/forget to forget everything", errors)
+        self.assertGreater(len(poses), 20, "\n".join(heard) + errors)
+        self.check_replay(poses, "--log-set", "hint_topic=/initialpose")
+        events = [json.loads(line) for line in (self.folder / "out/events.jsonl").read_text().splitlines()]
+        self.assertIn("hint", [event.get("origin") for event in events])
+        self.assertIn("after all was forgotten", [event.get("query") for event in events])
+
     def test_what_a_drive_says_of_the_map_is_kept_while_it_is_driven(self):
         self.drive(2, "tf", "reliable", "--evidence", "evidence.json")
         drives = json.loads((self.folder / "evidence.json").read_text())
@@ -110,7 +121,7 @@ class ADrive(ADriveChecks):
         poses = numbers(heard, "pose")
         self.assertGreater(len(poses), 20, "\n".join(heard) + errors)
         self.assertEqual(self.messages_in("drive.mcap")["/points"], SCANS)
-        self.check_replay(poses, "lidar.jsonld")
+        self.check_replay(poses, config="lidar.jsonld")
         told = subprocess.run([PROGRAM, "info", "drive.mcap"], cwd=self.folder, stdout=subprocess.PIPE, check=True, text=True)
         for words in ("point clouds /points, frame lidar", "4 x 361 points with x FLOAT32", "height 1.00 m", "suggested slice"):
             self.assertIn(words, told.stdout)
@@ -143,7 +154,7 @@ class TwoLasers(ADriveChecks):
         recorded = self.messages_in("drive.mcap")
         self.assertEqual((recorded["/scan_front"], recorded["/scan_rear"]), (scans["FLASER"], scans["RLASER"]))
         self.check_transforms(poses, numbers(heard, "transform"))
-        self.check_replay(poses, "robot.jsonld", map)
+        self.check_replay(poses, config="robot.jsonld", map=map)
         moved = len(numbers(heard, "moved"))
         self.assertGreater(self.check_every_stamp_has_a_transform(heard), moved / 2)
 

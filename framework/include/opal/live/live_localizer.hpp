@@ -50,13 +50,14 @@ class OPAL_EXPORT LiveLocalizer {
   LiveLocalizer& operator=(const LiveLocalizer&) = delete;
 
   /// A record that has arrived now.
-  /// @param record  odometry, a scan (RawScan::frame tells of which laser), or a mount (left out: parts have them).
+  /// @param record  odometry, a scan (RawScan::frame tells of which laser), a mount (left out: parts have them), or
+  ///                what somebody says: it holds from the next scan on.
   /// @param now_s  by the clock that stamps are made with, by which late stamps are noticed; NaN: not known.
   void take(LogRecord record, double now_s = std::numeric_limits<double>::quiet_NaN());
   /// The robot may be here. It is one more place to look at, and is believed only as far as scans support it.
-  void hint(const PoseHint& hint);
+  void hint(const PoseHint& hint) { take(HintRecord{0, hint}); }
   /// As if nothing had been seen.
-  void reset();
+  void reset() { take(ForgetRecord{}); }
 
   /// The newest answer; its number is 0 before the first one. Health is as of now.
   LiveAnswer newest() const;

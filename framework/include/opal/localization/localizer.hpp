@@ -10,11 +10,11 @@
 #include <opal/localization/scoring/hypothesis.hpp>
 #include <opal/localization/scoring/hypothesis_scorer.hpp>
 #include <opal/localization/scoring/score.hpp>
-#include <opal/localization/search/pose_hint.hpp>
 #include <opal/map/view/map_view.hpp>
 #include <opal/patterns/pattern_template.hpp>
 #include <opal/sensing/feature_detector.hpp>
 #include <opal/sensing/odometry_scale.hpp>
+#include <opal/sensing/pose_hint.hpp>
 #include <opal/sensor_health/sensor_finding.hpp>
 
 #include <map>

@@ -22,7 +22,7 @@ namespace opal {
 /// Everything that changes the layout of what crosses between framework and plugin. Compared before any
 /// plugin function is called.
 inline constexpr const char* kAbiTag =
-    "api=18 gxx_abi=" OPAL_DETAIL_TEXT(__GXX_ABI_VERSION) " cxx11_abi=" OPAL_DETAIL_TEXT(
+    "api=19 gxx_abi=" OPAL_DETAIL_TEXT(__GXX_ABI_VERSION) " cxx11_abi=" OPAL_DETAIL_TEXT(
         _GLIBCXX_USE_CXX11_ABI) " debug_stl=" OPAL_DETAIL_DEBUG_STL
                                 " eigen=" OPAL_DETAIL_TEXT(EIGEN_WORLD_VERSION) "." OPAL_DETAIL_TEXT(
                                     EIGEN_MAJOR_VERSION) "." OPAL_DETAIL_TEXT(EIGEN_MINOR_VERSION);

@@ -20,11 +20,14 @@ struct TopicChoice {
   std::string base_frame = {};      ///< to this one; empty: to the first that a transform leads to
   /// Topics of point clouds that are read, too, and the slices that are taken of them.
   std::map<std::string, LaserModel> slices = {};
-  bool are_all_slices = false;  ///< no topic of scans is read
+  bool are_all_slices = false;          ///< no topic of scans is read
+  std::string hints = {};               ///< topic of hints; empty: none are read
+  std::string forget = "/opal/forget";  ///< topic of Empty: whoever publishes there wants all to be forgotten
+  std::string map_frame = "map";        ///< that hints are given in
 };
 
 /// The choice that the options of a plugin state: scan_topic, scan_topics (with commas), odometry_topic, odom_frame,
-/// base_frame.
+/// base_frame, and hint_topic, which may be missing.
 TopicChoice topic_choice(const nlohmann::json& options);
 
 /// The same with the slices that lasers of a deployment describe. Where nothing names topics of scans, several lasers

@@ -2,6 +2,7 @@
 
 #include <opal/common/export.hpp>
 #include <opal/sensing/log_contents.hpp>
+#include <opal/sensing/pose_hint.hpp>
 #include <opal/sensing/scan.hpp>
 
 #include <map>
@@ -24,8 +25,15 @@ struct MountRecord {
   std::string child;     ///< name of the frame that is placed, a laser perhaps
   Pose2 T_parent_child;  ///< where the child's frame lies in the parent's
 };
+/// Somebody said where the robot is.
+struct HintRecord {
+  double stamp_s = 0;  ///< by the clock of the log
+  PoseHint hint;       ///< frame `map`
+};
+/// Somebody asked to forget all that was seen before.
+struct ForgetRecord {};
 /// What a log may hold; everything else in it is passed over.
-using LogRecord = std::variant<OdometryRecord, RawScan, MountRecord>;
+using LogRecord = std::variant<OdometryRecord, RawScan, MountRecord, HintRecord, ForgetRecord>;
 
 /// Walks one recorded log in file order.
 class OPAL_EXPORT LogReader {

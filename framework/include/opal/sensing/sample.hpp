@@ -1,7 +1,9 @@
 #pragma once
 
+#include <opal/sensing/pose_hint.hpp>
 #include <opal/sensing/scan.hpp>
 
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -14,6 +16,12 @@ struct LaserView {
   Pose2 T_base_laser;  ///< where the laser was then, in the robot's frame at the sample's stamp
 };
 
+/// What somebody said since the sample before.
+struct Said {
+  bool forget = false;           ///< all samples before
+  std::optional<PoseHint> hint;  ///< frame `map`; said after that
+};
+
 /// What a localizer takes: what the lasers saw at about one time, with the odometry then. It is one observation: each
 /// scan keeps its own mount, field of view, range and time.
 struct Sample {
@@ -21,6 +29,7 @@ struct Sample {
   Pose2 T_odom_base;             ///< at that stamp; free of the jumps of recorded odometry if they are bridged
   std::vector<LaserView> views;  ///< by laser; at least one
   Pose2 T_odom_recorded;         ///< odometry at that stamp as it was recorded, with its jumps
+  Said said = {};                ///< before it
 };
 
 /// The sample of a robot with one laser.
