@@ -81,11 +81,11 @@ class ADrive(ADriveChecks):
         self.assertGreater(occupied, 1000)
 
     def test_what_a_person_says_is_in_the_recording_and_a_replay_has_it(self):
-        said = {36: ["FORGET 0 0 0 4.2961"], 38: ["HINT 9.1 -10.7 0 4.5"]}
-        heard, errors = self.drive(2, "tf", "reliable", "--record", "drive.mcap", said=said)
+        said = {36: ["FORGET 0 0 0 4.33", "HINT 8.9 -10.7 0 4.45"]}  # the next scan is at 4.5
+        heard, errors = self.drive(1, "tf", "reliable", "--record", "drive.mcap", said=said)
         poses = numbers(heard, "pose")
         self.assertIn("asked on /opal/forget to forget everything", errors)
-        self.assertGreater(len(poses), 20, "\n".join(heard) + errors)
+        self.assertGreater(len(poses), 10, "\n".join(heard) + errors)
         self.check_replay(poses, "--log-set", "hint_topic=/initialpose")
         events = [json.loads(line) for line in (self.folder / "out/events.jsonl").read_text().splitlines()]
         self.assertIn("hint", [event.get("origin") for event in events])
