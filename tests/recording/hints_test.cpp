@@ -1,8 +1,6 @@
 // What somebody says of the pose: on a robot and in its recording alike.
 #include "robot_messages.hpp"
 
-#include "recording/ros_log_reader.hpp"
-
 #include <catch2/catch.hpp>
 
 #include <cmath>
@@ -46,8 +44,10 @@ TopicChoice with_hints() {
   return topics;
 }
 
-/// Where among the records somebody has said something: "hint 1" at 0, "forget" at 7.
-std::vector<std::pair<std::string, std::size_t>> said_in(const std::vector<LogRecord>& records) {
+/// Where among the records somebody has said something: "hint 1" at 0, "forget" at 7. Mounts, with which a recording
+/// begins, are left out.
+std::vector<std::pair<std::string, std::size_t>> said_in(std::vector<LogRecord> records) {
+  std::erase_if(records, [](const LogRecord& record) { return std::holds_alternative<MountRecord>(record); });
   std::vector<std::pair<std::string, std::size_t>> said;
   for (std::size_t k = 0; k < records.size(); ++k) {
     if (const auto* hint = std::get_if<HintRecord>(&records[k]))
@@ -56,20 +56,6 @@ std::vector<std::pair<std::string, std::size_t>> said_in(const std::vector<LogRe
   }
   return said;
 }
-
-/// Of a recording of these messages; mounts, which come first in any case, are left out.
-struct Recorded {
-  Recorded(const std::vector<ReceivedMessage>& messages, const TopicChoice& wanted) {
-    Parts parts = parts_of(messages);
-    ChosenTopics chosen = choose_topics("made.mcap", parts, wanted);
-    RosLogReader reader(std::move(parts), std::move(chosen));
-    while (auto record = reader.next())
-      if (!std::holds_alternative<MountRecord>(*record)) records.push_back(std::move(*record));
-    defects = reader.defects();
-  }
-  std::vector<LogRecord> records;
-  Defects defects;
-};
 
 }  // namespace
 
@@ -101,7 +87,7 @@ TEST_CASE("what somebody says comes between the same records on a robot and in i
 }
 
 TEST_CASE("hints of a recording are taken only where an option names their topic") {
-  const Recorded unasked(drive_with_hints(), {});
+  const Recorded unasked(drive_with_hints());
   CHECK(said_in(unasked.records).size() == 1);  // who forgets is told nothing
   CHECK(unasked.defects.contains("hints of the pose on /initialpose are not taken: the option hint_topic may name it"));
   TopicChoice elsewhere = with_hints();
@@ -116,7 +102,7 @@ TEST_CASE("a robot with a name before its topics forgets in the replay, too") {
   std::vector<ReceivedMessage> messages = drive_with_hints();
   for (ReceivedMessage& message : messages)
     if (message.topic.name == kForget.name) message.topic.name = "/robot_7/opal/forget";
-  CHECK(said_in(Recorded(messages, {}).records).front().first == "forget");
+  CHECK(said_in(Recorded(messages).records).front().first == "forget");
 }
 
 TEST_CASE("a hint in another frame than the map's is left out, and named") {

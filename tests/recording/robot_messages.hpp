@@ -1,6 +1,7 @@
 #pragma once
 
 #include "recording/containers/mcap_writer.hpp"
+#include "recording/ros_log_reader.hpp"
 #include "recording/ros_stream.hpp"
 #include "tests/plugins/logs/bag_writer.hpp"
 
@@ -68,5 +69,18 @@ inline Parts parts_of(const std::vector<ReceivedMessage>& messages) {
   parts.push_back(read_mcap(std::make_unique<std::istringstream>(out.str()), "made.mcap"));
   return parts;
 }
+
+/// What a reader makes of that.
+struct Recorded {
+  explicit Recorded(const std::vector<ReceivedMessage>& messages, const TopicChoice& wanted = {}) {
+    Parts parts = parts_of(messages);
+    ChosenTopics chosen = choose_topics("made.mcap", parts, wanted);
+    RosLogReader reader(std::move(parts), std::move(chosen));
+    while (auto record = reader.next()) records.push_back(std::move(*record));
+    defects = reader.defects();
+  }
+  std::vector<LogRecord> records;
+  Defects defects;
+};
 
 }  // namespace robot_messages

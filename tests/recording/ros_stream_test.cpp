@@ -2,7 +2,6 @@
 #include "robot_messages.hpp"
 
 #include "recording/ros_contents.hpp"
-#include "recording/ros_log_reader.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -21,15 +20,6 @@ std::vector<ReceivedMessage> late_mount() {
   }
   messages.insert(messages.begin() + 14, received(kStatic, 1.71, laser_link(0.3)));
   return messages;
-}
-
-std::vector<LogRecord> recorded(const std::vector<ReceivedMessage>& messages) {
-  Parts parts = parts_of(messages);
-  ChosenTopics chosen = choose_topics("made.mcap", parts, {});
-  RosLogReader reader(std::move(parts), std::move(chosen));
-  std::vector<LogRecord> records;
-  while (auto record = reader.next()) records.push_back(std::move(*record));
-  return records;
 }
 
 TopicChoice one_laser() {
@@ -56,7 +46,7 @@ bool is_same(const LogRecord& one, const LogRecord& other) {
 TEST_CASE("a stream gives the records that a recording of its messages gives, though the mount comes late") {
   RosStream stream(one_laser());
   const std::vector<LogRecord> live = streamed(stream, late_mount());
-  const std::vector<LogRecord> replayed = recorded(late_mount());
+  const std::vector<LogRecord> replayed = Recorded(late_mount()).records;
   REQUIRE(stream.mounts().size() == 1);
   CHECK(stream.mounts()[0].T_parent_child.x() == Approx(0.3));
   REQUIRE(live.size() == 20);

@@ -45,9 +45,8 @@ class Bench(unittest.TestCase):
     def play(self, speed, motion, quality, lasers=(PLANAR,), log=MALAGA / "malaga-demo.log.gz", said=None):
         """What the robot heard while it played the recording, a line a message. @param said  lines for the recording, by the number of the line before"""
         records = subprocess.run(["gzip", "-dc", log], stdout=subprocess.PIPE, check=True).stdout
-        if said:
-            lines = records.splitlines()
-            records = b"\n".join(line + b"".join(b"\n" + words.encode() for words in said.get(k, ())) for k, line in enumerate(lines)) + b"\n"
+        records = b"".join(line + "".join(f"{words}\n" for words in (said or {}).get(k, ())).encode()
+                           for k, line in enumerate(records.splitlines(keepends=True)))
         done = subprocess.run([ROBOT, self.domain, str(speed), motion, quality, *lasers], input=records,
                               stdout=subprocess.PIPE, timeout=PATIENCE_S, check=True)
         return done.stdout.decode().splitlines()
