@@ -55,8 +55,12 @@ const StageFields<KidnappingOptions>& fields_of(const KidnappingOptions&) {
       {"alarm_nat", &O::alarm_nat, "nat", 0, kUnlimited,
        "A single scan that scores so much less than what is expected is looked at even if the robot stands still."},
       {"doubted_share", &O::doubted_share, "", 0, 1,
-       "A scan that speaks against the place may be of a kidnapped robot if it shows less than this share of what is "
-       "usually seen again. 0: it does not matter what the scan says."},
+       "A scan that says less than half of what scans said may be of a kidnapped robot if it shows less than this "
+       "share "
+       "of what is usually seen again. 0: it does not matter what the scan says."},
+      {"doubted_weight", &O::doubted_weight, "", 0, kUnlimited,
+       "After a scan that does not continue what was seen before, scans are held against what earlier ones said for so "
+       "many pieces of new evidence. 0: until one of them says as much."},
   };
   return all;
 }

@@ -125,6 +125,8 @@ TEST_CASE("a strict deployment is careful, and asks for a map that shows the bui
   CHECK(careful.status.localized_drive_agreement == 0);
   CHECK(strict.kidnapping.doubted_share > 0);
   CHECK(careful.kidnapping.doubted_share == 0);
+  CHECK(strict.kidnapping.doubted_weight > 0);
+  CHECK(careful.kidnapping.doubted_weight == 0);
 }
 
 TEST_CASE("a scorer may stand twice where one observes, or with other options") {

@@ -31,8 +31,12 @@ constexpr double kSearchFrom_nat = 3;
 
 void KidnapDetector::add(const Evidence& seen) {
   const bool fell = agreement_fall_.add(seen.agreement);
-  if (fell || !continues(seen)) discontinued_ = seen.keyframe;
-  is_broken_ = seen.match_share < kBrokenShare * usual_share_;
+  if (fell || !continues(seen)) {
+    discontinued_ = seen.keyframe;
+    since_discontinued_ = 0;
+  }
+  since_discontinued_ += seen.tempering_weight;
+  is_broken_ = seen.match_share < kBrokenShare * usual_share_ || is_doubted(seen);
   constexpr double kShareMemory = 0.8;
   usual_share_ = kShareMemory * usual_share_ + (1 - kShareMemory) * seen.match_share;
   turn_to(seen);
@@ -42,7 +46,8 @@ void KidnapDetector::add(const Evidence& seen) {
   if (seen.established || watch_.suspicion_nat > 0)
     watch_.suspicion_nat = std::clamp(watch_.suspicion_nat + missing_nat, 0.0, kMostSuspicion_nat);
   const double kept = kept_share(seen.tempering_weight, evidence_memory_);
-  if (watch_.suspicion_nat == 0) {
+  const bool on_probation = discontinued(watch_) && since_discontinued_ < options_.doubted_weight;
+  if (watch_.suspicion_nat == 0 && !on_probation) {
     constexpr double kMemory = 0.9;
     watch_.usual_nat = kMemory * watch_.usual_nat + (1 - kMemory) * seen.scan_nat;
     watch_.last_good = {seen.keyframe, seen.gathered_nat};
@@ -74,11 +79,15 @@ void KidnapDetector::reset() {
   agreement_fall_.clear();
   is_broken_ = false;
   discontinued_ = {};
+  since_discontinued_ = 0;
 }
 
 bool KidnapDetector::continues(const Evidence& seen) const {
-  if (seen.match_share < kContinuingShare) return false;
-  return seen.match_share >= options_.doubted_share * usual_share_ || seen.scan_nat >= 0;
+  return seen.match_share >= kContinuingShare && !is_doubted(seen);
+}
+
+bool KidnapDetector::is_doubted(const Evidence& seen) const {
+  return seen.match_share < options_.doubted_share * usual_share_ && seen.scan_nat < share_of_usual_nat();
 }
 
 bool KidnapDetector::discontinued(const Watch& watch) const {

@@ -67,6 +67,8 @@ class OPAL_EXPORT KidnapDetector {
   void turn_to(const Evidence& seen);
   /// Whether this scan shows enough of what was seen before.
   bool continues(const Evidence& seen) const;
+  /// Whether it shows less of what was seen before than usual, and says much less for the place than scans did.
+  bool is_doubted(const Evidence& seen) const;
   /// Some scan since then, or just before, did not continue those before.
   bool discontinued(const Watch& watch) const;
   bool is_suspicious(const Watch& watch) const;
@@ -83,6 +85,7 @@ class OPAL_EXPORT KidnapDetector {
   AgreementFall agreement_fall_;
   bool is_broken_ = false;
   KeyframeId discontinued_;  ///< the newest keyframe that did not continue those before, or what they said of the map
+  double since_discontinued_ = 0;  ///< sum of tempering weights from that keyframe on
 };
 
 }  // namespace opal

@@ -24,14 +24,15 @@ LocalizerOptions careful_options() {
 
 /// A map of another building explains what is seen better than a damaged map of this one does. A sound map is told from
 /// both. A place that fits by chance mostly has less than twice the evidence of the next one. On a sound map a scan
-/// that speaks against the place is rare, so it is reason enough to think of a kidnapping. docs/notebook/evidence.md,
-/// 2026-11-28.
+/// that says much less than usual is rare, so it is reason enough to think of a kidnapping, and two fair scans do not
+/// take that back. docs/notebook/evidence.md, 2026-11-28 and 2026-11-29.
 LocalizerOptions strict_options() {
   LocalizerOptions options = careful_options();
   options.status.localized_lead = 0.5;
   options.status.localized_lead_nat = 40;
   options.status.localized_drive_agreement = 0.85;
   options.kidnapping.doubted_share = 0.75;
+  options.kidnapping.doubted_weight = 2;
   return options;
 }
 

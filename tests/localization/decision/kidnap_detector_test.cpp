@@ -41,26 +41,6 @@ TEST_CASE("who is put into a room of the same shape is kidnapped: the map explai
   CHECK(watch.detector.probability() > 0.8);
 }
 
-TEST_CASE(
-    "a scan that speaks against the place and shows less than usual again is a kidnapping, where that is asked for") {
-  struct Case {
-    double doubted_share, scan_nat, match_share;
-    bool suspected;
-  };
-  const Case seen = GENERATE(Case{0.75, kBad_nat, 0.6, true}, Case{0, kBad_nat, 0.6, false},
-                             Case{0.75, kBad_nat, 0.7, false}, Case{0.75, 0.01, 0.6, false});
-  CAPTURE(seen.doubted_share, seen.scan_nat, seen.match_share);
-  KidnappingOptions options;
-  options.doubted_share = seen.doubted_share;
-  Watch watch;
-  watch.detector = KidnapDetector(options, kDetectorMemory);
-  watch.tempering_weight = 0.1;
-  for (int k = 0; k < 30; ++k) watch.see(kGood_nat, 0.9);
-  watch.see(seen.scan_nat, seen.match_share);
-  for (int k = 0; k < 5; ++k) watch.see(kBad_nat, 0.9);
-  CHECK(watch.detector.suspected().has_value() == seen.suspected);
-}
-
 TEST_CASE("who sees the map explain less and less is not kidnapped") {
   Watch watch;
   for (int k = 0; k < 20; ++k) watch.see(kGood_nat, 1, true, {0.9, 0.05});

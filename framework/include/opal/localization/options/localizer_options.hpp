@@ -157,9 +157,13 @@ struct KidnappingOptions {
   double prior_nat = -5.6;  ///< log prior that a robot was kidnapped whose scan does not continue those before
   double scan_nat = 0.15;   ///< what a scan says for the place that the robot was kidnapped from
   double alarm_nat = 0.5;   ///< a scan that alone gives this suspicion is looked at even if the robot stands
-  /// A scan that speaks against the place does not continue those before if it shows less than this, times the usual
-  /// share, of what was seen before. 0: it does not matter what the scan says.
+  /// A scan that says less than half of what scans said for the place does not continue those before if it shows less
+  /// than this, times the usual share, of what was seen before. Nothing is then called localized until new evidence
+  /// confirms the place. 0: it does not matter what the scan says.
   double doubted_share = 0;
+  /// After a scan that does not continue those before, for so many pieces of new evidence, scans are held against what
+  /// was said before it. 0: until one of them says as much.
+  double doubted_weight = 0;
 };
 
 /// Rides in lifts that the map has (StoreyConnection).
