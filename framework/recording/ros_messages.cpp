@@ -103,10 +103,7 @@ std::optional<HintMessage> decode_hint(Bytes message, Wire wire) {
 
 std::optional<double> decode_clock(Bytes message, Wire wire) {
   WireReader reader(message, wire);
-  const auto seconds = reader.number<std::int32_t>();
-  const auto nanoseconds = reader.number<std::uint32_t>();
-  if (!reader.ok()) return std::nullopt;
-  return seconds + 1e-9 * nanoseconds;
+  return read_stamp(reader);
 }
 
 std::optional<std::vector<Transform>> decode_transforms(Bytes message, Wire wire, Defects* left_out) {

@@ -71,12 +71,19 @@ void WireReader::skip_numbers(std::size_t count, std::size_t bytes_each) {
     position_ += count * bytes_each;
 }
 
-std::optional<MessageHeader> read_header(WireReader& wire) {
-  if (wire.wire() == Wire::ros1) wire.skip_numbers(1, sizeof(std::uint32_t));  // a running number
+std::optional<double> read_stamp(WireReader& wire) {
   const auto seconds = wire.number<std::int32_t>();
   const auto nanoseconds = wire.number<std::uint32_t>();
-  MessageHeader header{seconds + 1e-9 * nanoseconds, wire.text()};
   if (!wire.ok() || nanoseconds >= 1'000'000'000u) return std::nullopt;
+  return seconds + 1e-9 * nanoseconds;
+}
+
+std::optional<MessageHeader> read_header(WireReader& wire) {
+  if (wire.wire() == Wire::ros1) wire.skip_numbers(1, sizeof(std::uint32_t));  // a running number
+  const std::optional<double> stamp_s = read_stamp(wire);
+  if (!stamp_s) return std::nullopt;
+  MessageHeader header{*stamp_s, wire.text()};
+  if (!wire.ok()) return std::nullopt;
   return header;
 }
 

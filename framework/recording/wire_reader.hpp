@@ -48,6 +48,9 @@ class WireReader {
   bool ok_ = false;
 };
 
+/// builtin_interfaces/Time [s]. @return nullopt for a damaged one.
+std::optional<double> read_stamp(WireReader& wire);
+
 /// std_msgs/Header.
 struct MessageHeader {
   double stamp_s = 0;
