@@ -1,17 +1,11 @@
+#include "golden_file.hpp"
 #include "recorded_site.hpp"
 
 #include <catch2/catch.hpp>
 
-#include <cstdlib>
-#include <fstream>
-
 using namespace opal;
 
 namespace {
-
-std::string golden_path(const std::string& site) {
-  return std::string(OPAL_SOURCE_DIR) + "/tests/system/replay/" + site + "/golden.json";
-}
 
 nlohmann::ordered_json measure(const std::string& site_name) {
   const RecordedSite site(site_name);
@@ -64,13 +58,7 @@ TEST_CASE("a recorded log still gives the answers of the golden file") {
   const std::string site = GENERATE(as<std::string>(), "malaga-demo", "malaga");
   CAPTURE(site);
   const nlohmann::ordered_json found = measure(site);
-  if (std::getenv("OPAL_UPDATE_GOLDEN")) {
-    std::ofstream(golden_path(site)) << found.dump(1) << '\n';
-    WARN("golden file rewritten: " << golden_path(site));
-  }
-  std::ifstream file(golden_path(site));
-  REQUIRE(file);
-  compare(found, nlohmann::ordered_json::parse(file));
+  compare(found, golden_file(site + "/golden.json", found.dump(1) + '\n'));
 }
 
 TEST_CASE("the answers of the golden replays are right") {

@@ -1,9 +1,8 @@
 #include "digested_drives.hpp"
 
-#include <catch2/catch.hpp>
+#include "tests/system/replay/golden_file.hpp"
 
-#include <cstdlib>
-#include <fstream>
+#include <catch2/catch.hpp>
 
 using nlohmann::ordered_json;
 
@@ -12,19 +11,13 @@ using nlohmann::ordered_json;
 
 namespace {
 
-std::string golden_path(const std::string& drive) {
-  return std::string(OPAL_SOURCE_DIR) + "/tests/system/replay/digest/golden/" + drive + ".json";
-}
-
-/// One field a line.
-void write(const ordered_json& digest, const std::string& path) {
-  std::ofstream file(path);
-  const char* before = "{\n";
+std::string one_field_a_line(const ordered_json& digest) {
+  std::string text, before = "{\n";
   for (const auto& [field, sums] : digest.items()) {
-    file << before << ordered_json(field).dump() << ": " << sums.dump();
+    text += before + ordered_json(field).dump() + ": " + sums.dump();
     before = ",\n";
   }
-  file << "\n}\n";
+  return text + "\n}\n";
 }
 
 /// The first ones.
@@ -40,13 +33,8 @@ TEST_CASE("all that is said of a short drive is as in its golden file") {
   const DigestedDrive& drive = GENERATE(from_range(digested_drives()));
   CAPTURE(drive.name);
   const RunDigest found = drive.run();
-  if (std::getenv("OPAL_UPDATE_GOLDEN")) {
-    write(found.json(), golden_path(drive.name));
-    WARN("golden file rewritten: " << golden_path(drive.name));
-  }
-  std::ifstream file(golden_path(drive.name));
-  REQUIRE(file);
-  const auto differences = found.differences_from(ordered_json::parse(file));
+  const auto differences =
+      found.differences_from(golden_file("digest/golden/" + drive.name + ".json", one_field_a_line(found.json())));
   INFO(lines_of(differences));
   CHECK(differences.empty());
 }
