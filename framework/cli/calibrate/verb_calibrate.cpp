@@ -81,51 +81,52 @@ void write_motions(const std::vector<Timed>& motions, const std::string& path) {
 }
 
 /// What a deployment takes from a drive. What the drive tells too badly stays as it is described.
-struct Learned {
+struct Calibrated {
   nlohmann::ordered_json mount, odometry;  ///< to merge into the document
   std::vector<std::string> left;           ///< names of what stays
 };
 
-Learned learned_of(const MotionCalibration& drive) {
-  Learned learned;
+Calibrated calibrated_by(const MotionCalibration& drive) {
+  Calibrated calibrated;
   const auto take = [&](bool is_told, nlohmann::ordered_json& into, const nlohmann::ordered_json& numbers,
                         const char* name) {
     if (is_told)
       into.update(numbers);
     else
-      learned.left.emplace_back(name);
+      calibrated.left.emplace_back(name);
   };
-  take(drive.mount_position_sigma_m < ToldWithin::position_m, learned.mount,
+  take(drive.mount_position_sigma_m < ToldWithin::position_m, calibrated.mount,
        {{"x_m", drive.mount_position_m.x()}, {"y_m", drive.mount_position_m.y()}}, "the mount's position");
-  take(drive.mount_heading_rad.sigma < ToldWithin::heading_rad, learned.mount,
+  take(drive.mount_heading_rad.sigma < ToldWithin::heading_rad, calibrated.mount,
        {{"heading_rad", drive.mount_heading_rad.value}}, "the mount's heading");
-  take(drive.distance_scale.sigma < ToldWithin::scale, learned.odometry,
+  take(drive.distance_scale.sigma < ToldWithin::scale, calibrated.odometry,
        {{"distance_scale", drive.distance_scale.value}}, "the distance scale");
-  take(drive.turn_scale.sigma < ToldWithin::scale, learned.odometry, {{"turn_scale", drive.turn_scale.value}},
+  take(drive.turn_scale.sigma < ToldWithin::scale, calibrated.odometry, {{"turn_scale", drive.turn_scale.value}},
        "the turn scale");
-  return learned;
+  return calibrated;
 }
 
 /// @param described  the deployment's laser. @param used  the same with the log's beams and mount.
 int write_deployment(const MotionCalibration& drive, const CalibrateOptions& options, const LaserModel& described,
                      const LaserModel& used) {
-  const Learned learned = learned_of(drive);
+  const Calibrated calibrated = calibrated_by(drive);
   if (drive.turn_scale.value < 0) {
     fmt::print("not written: a deployment cannot say that scans are mirrored\n");
     return kNo;
   }
-  if (learned.odometry.empty() && learned.mount.empty()) {
+  if (calibrated.odometry.empty() && calibrated.mount.empty()) {
     fmt::print("not written: the drive tells too little, expected one of some metres with turns\n");
     return kNo;
   }
   auto document = nlohmann::ordered_json::parse(std::ifstream(options.config));
-  const std::string objection = learned.mount.empty() ? "" : write_mount(document, described, used, learned.mount);
-  if (!learned.odometry.empty()) document["odometry"].merge_patch(learned.odometry);
+  const std::string objection =
+      calibrated.mount.empty() ? "" : write_mount(document, described, used, calibrated.mount);
+  if (!calibrated.odometry.empty()) document["odometry"].merge_patch(calibrated.odometry);
   write_text(options.out, document.dump(2) + '\n');
   fmt::print("written: {}\n", options.out);
   if (!objection.empty()) fmt::print("the mount is not written: {}\n", objection);
-  if (!learned.left.empty())
-    fmt::print("left as described, because the drive tells too little of it: {}\n", listed(learned.left));
+  if (!calibrated.left.empty())
+    fmt::print("left as described, because the drive tells too little of it: {}\n", listed(calibrated.left));
   return kDone;
 }
 

@@ -32,11 +32,11 @@ fs::path truth_of(const fs::path& run, const std::string& folder) {
   return truth;
 }
 
-using Moment = std::pair<std::string, double>;  // query and stamp
-std::map<Moment, std::vector<AlternativeRow>> alternatives_by_moment(const fs::path& run) {
-  std::map<Moment, std::vector<AlternativeRow>> alternatives;
+using QueryMoment = std::pair<std::string, double>;  // query and stamp
+std::map<QueryMoment, std::vector<AlternativeRow>> alternatives_by_moment(const fs::path& run) {
+  std::map<QueryMoment, std::vector<AlternativeRow>> alternatives;
   for (AlternativeRow& row : read_alternatives((run / "alternatives.csv").string())) {
-    Moment moment{row.query, row.stamp_s};
+    QueryMoment moment{row.query, row.stamp_s};
     alternatives[std::move(moment)].push_back(std::move(row));
   }
   return alternatives;

@@ -21,7 +21,7 @@ ChallengeRun synthetic(const std::vector<std::pair<double, bool>>& said) {
   run.challenge = "B1";
   run.seed = 1;
   for (const auto& [off_m, localized] : said) {
-    Moment moment;
+    JudgedMoment moment;
     moment.time_s = moment.driven_m = static_cast<double>(run.moments.size());
     moment.truth = Pose2(moment.driven_m, 0, 0);
     moment.estimate = Pose2(moment.driven_m, off_m, 0);
@@ -67,7 +67,7 @@ TEST_CASE("success is to come within 1 m and to stay there") {
 TEST_CASE("a robot that believes to look the other way is wrong, however near it is") {
   ChallengeRun run;
   for (int k = 0; k < 3; ++k) {
-    Moment moment;
+    JudgedMoment moment;
     moment.has_pose = true;
     moment.status = Status::localized;
     moment.estimate = Pose2(0, 0, 3.1);
@@ -102,7 +102,7 @@ TEST_CASE("what AMCL is said to have done in all is what it did in each") {
 TEST_CASE("a baseline's answer is judged by the robot's pose, and where it says nothing it has none") {
   const TemporaryFile file(
       "rows.csv", "timestamp,x,y,theta,localized,hypotheses,cpu_ms\n0,0.2,0.5,0,0,50000,90\n0.4,2.2,0,0,1,200,3\n");
-  const std::vector<Moment> moments = read_baseline(file.path(), recording_of(3));
+  const std::vector<JudgedMoment> moments = read_baseline(file.path(), recording_of(3));
   REQUIRE(moments.size() == 3);
   CHECK(moments[0].error_m() == Approx(0.5));
   CHECK(moments[0].hypotheses == 50000);

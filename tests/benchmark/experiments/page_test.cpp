@@ -11,10 +11,10 @@ using Catch::Contains;
 
 namespace {
 
-std::vector<Moment> some_moments() {
-  std::vector<Moment> moments;
+std::vector<JudgedMoment> some_moments() {
+  std::vector<JudgedMoment> moments;
   for (int k = 0; k < 20; ++k) {
-    Moment moment;
+    JudgedMoment moment;
     moment.time_s = moment.driven_m = k;
     moment.truth = Pose2(2 + 0.1 * k, 2, 0);
     moment.estimate = Pose2(2 + 0.1 * k, 2.1, 0);

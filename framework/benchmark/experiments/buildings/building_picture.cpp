@@ -48,7 +48,7 @@ std::string polyline(const ChallengeRun& run, const std::string& style, const Ke
 
 std::string way_of(const ChallengeRun& run) {
   return polyline(run, std::string("way ") + name_of(outcome_of(run)),
-                  [](const Moment& moment) { return moment.truth.position(); });
+                  [](const JudgedMoment& moment) { return moment.truth.position(); });
 }
 
 std::string dot(const Point& at, double radius_m, const std::string& style) {
@@ -61,7 +61,7 @@ std::string wrong_claims(const ChallengeRun& run) {
   constexpr double kEvery_m = 0.5, kDot_m = 0.25;
   std::string dots;
   std::optional<Point> last;
-  for (const Moment& moment : run.moments) {
+  for (const JudgedMoment& moment : run.moments) {
     const Point at = moment.estimate.position();
     if (!moment.localized() || moment.right() || (last && (at - *last).norm() < kEvery_m)) continue;
     dots += dot(at, kDot_m, "claim");
@@ -101,7 +101,7 @@ std::string run_picture(const BuildingRuns& building, const ChallengeRun& run) {
   constexpr double kDot_m = 0.4;
   if (run.moments.empty()) return picture(building, "");
   std::string content = way_of(run) + wrong_claims(run) + dot(run.moments.front().truth.position(), kDot_m, "start");
-  if (const Moment& last = run.moments.back(); last.has_pose)
+  if (const JudgedMoment& last = run.moments.back(); last.has_pose)
     content += dot(last.estimate.position(), kDot_m, "believed");
   return picture(building, content);
 }

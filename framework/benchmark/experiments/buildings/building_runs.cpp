@@ -16,7 +16,7 @@
 namespace opal::experiments {
 namespace {
 
-double first_time_s(const ChallengeRun& run, bool (*holds)(const Moment&)) {
+double first_time_s(const ChallengeRun& run, bool (*holds)(const JudgedMoment&)) {
   const auto moment = std::ranges::find_if(run.moments, holds);
   return moment == run.moments.end() ? kNever : moment->time_s;
 }
@@ -56,11 +56,11 @@ Outcome outcome_of(const ChallengeRun& run) {
 }
 
 double localized_after_s(const ChallengeRun& run) {
-  return first_time_s(run, [](const Moment& moment) { return moment.localized(); });
+  return first_time_s(run, [](const JudgedMoment& moment) { return moment.localized(); });
 }
 
 double wrong_after_s(const ChallengeRun& run) {
-  return first_time_s(run, [](const Moment& moment) { return moment.localized() && !moment.right(); });
+  return first_time_s(run, [](const JudgedMoment& moment) { return moment.localized() && !moment.right(); });
 }
 
 BuildingRuns run_building(const simulation::SuiteBuilding& building, const PluginRegistry& registry,

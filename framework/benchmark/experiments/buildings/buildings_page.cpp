@@ -66,7 +66,7 @@ std::string groups_html(const BuildingsExperiment& experiment) {
 }
 
 std::string sentence_about(const ChallengeRun& run) {
-  const Moment& last = run.moments.back();
+  const JudgedMoment& last = run.moments.back();
   std::string text =
       fmt::format("{} (seed {}, {}): {}", run.challenge, run.seed, run.contender, name_of(outcome_of(run)));
   if (run.false_rows > 0)

@@ -66,14 +66,14 @@ std::vector<Row> rows_of(const std::string& path) {
 
 }  // namespace
 
-std::vector<Moment> read_baseline(const std::string& path, const simulation::Recording& recording) {
+std::vector<JudgedMoment> read_baseline(const std::string& path, const simulation::Recording& recording) {
   const std::vector<Row> rows = rows_of(path);
   const Pose2 T_laser_base = recording.laser.T_base_laser.inverse();
   constexpr double kSame_s = 0.01;
-  std::vector<Moment> moments;
+  std::vector<JudgedMoment> moments;
   std::size_t next = 0;
   for (const simulation::RecordedScan& recorded : recording.scans) {
-    Moment moment;
+    JudgedMoment moment;
     moment.time_s = recorded.scan.stamp_s - recording.scans.front().scan.stamp_s;
     moment.truth = recorded.T_map_base;
     if (!moments.empty()) moment.driven_m = moments.back().driven_m + distance_m(moments.back().truth, moment.truth);

@@ -23,6 +23,6 @@ ChallengeRun run_baseline(const Baseline& baseline, const simulation::ChallengeD
 
 /// Reads `timestamp,x,y,theta,localized,hypotheses,cpu_ms` [s, m, rad]: T_map_laser by scan.
 /// @throws LogError naming file and line.
-std::vector<Moment> read_baseline(const std::string& path, const simulation::Recording& recording);
+std::vector<JudgedMoment> read_baseline(const std::string& path, const simulation::Recording& recording);
 
 }  // namespace opal::experiments

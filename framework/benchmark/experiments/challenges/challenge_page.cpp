@@ -14,14 +14,14 @@ using Run = ChallengeRun;
 
 std::vector<Point> thinned_truth(const Run& run) {
   std::vector<Point> way;
-  for (const Moment& moment : run.moments)
+  for (const JudgedMoment& moment : run.moments)
     if (way.empty() || (way.back() - moment.truth.position()).norm() > 0.1) way.push_back(moment.truth.position());
   return way;
 }
 
 /// Where it first said that it is localized.
 std::vector<Point> first_localized(const Run& run) {
-  for (const Moment& moment : run.moments)
+  for (const JudgedMoment& moment : run.moments)
     if (moment.localized()) return {moment.truth.position()};
   return {};
 }
@@ -42,7 +42,7 @@ std::string ways_of(const SemanticMap& map, const std::vector<const Run*>& runs)
 /// One run close up: the estimate over the truth.
 std::string one_way(const SemanticMap& map, const Run& run) {
   WaysPicture::Way way{run.challenge, {{thinned_truth(run), true}}, first_localized(run), {}, {}};
-  for (const Moment& moment : run.moments)
+  for (const JudgedMoment& moment : run.moments)
     if (moment.localized()) way.estimate.push_back(moment.estimate.position());
   WaysPicture picture{{way}, {}, {}};
   add_region(run, picture);

@@ -6,7 +6,7 @@ namespace opal::experiments {
 namespace {
 
 void judge_success(ChallengeRun& run) {
-  const std::vector<Moment>& moments = run.moments;
+  const std::vector<JudgedMoment>& moments = run.moments;
   std::size_t right_from = moments.size();
   while (right_from > 0 && moments[right_from - 1].right()) --right_from;
   run.success = right_from < moments.size();
@@ -29,7 +29,7 @@ double probability_of(const PoseEstimate& said, const Pose2& truth) {
 
 void judge(ChallengeRun& run) {
   judge_success(run);
-  for (const Moment& moment : run.moments) {
+  for (const JudgedMoment& moment : run.moments) {
     int& most = run.localized_after_m ? run.hypotheses_after : run.hypotheses_before;
     most = std::max(most, moment.hypotheses);
     run.updates += moment.cpu_ms > 0;

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "benchmark/experiments/kit/contender.hpp"
-#include "benchmark/experiments/kit/moment.hpp"
+#include "benchmark/experiments/kit/judged_moment.hpp"
 
 #include "simulation/drives/challenges.hpp"
 
@@ -23,8 +23,8 @@ struct ChallengeRun {
   int hypotheses_before = 0, hypotheses_after = 0;      ///< most, before and after the first `localized`
   int updates = 0, localized_rows = 0, false_rows = 0;  ///< `localized` and wrong
   double cpu_ms = 0;                                    ///< per update
-  double truth_probability = 0;  ///< at the end, of the hypothesis that is right; 0: there is none
-  std::vector<Moment> moments;   ///< by scan
+  double truth_probability = 0;       ///< at the end, of the hypothesis that is right; 0: there is none
+  std::vector<JudgedMoment> moments;  ///< by scan
 };
 
 /// Fills in everything but the names from the moments.

@@ -16,7 +16,7 @@ using Run = GoalRun;
 /// Dotted while it searched or inspected, solid under way to the goal.
 std::vector<WaysPicture::Stretch> stretches_of(const Run& run) {
   std::vector<WaysPicture::Stretch> all;
-  for (const Moment& moment : run.moments) {
+  for (const JudgedMoment& moment : run.moments) {
     const Point here = moment.truth.position();
     if (all.empty() || all.back().solid != moment.under_way) {
       const bool goes_on = !all.empty() && !all.back().points.empty();
@@ -44,7 +44,7 @@ std::string ways_of(const SemanticMap& map, const std::vector<const Run*>& runs)
 /// One run close up: the estimate over the truth, a cross where it localized.
 std::string one_way(const SemanticMap& map, const Run& run) {
   WaysPicture::Way way = way_of(run);
-  for (const Moment& moment : run.moments) {
+  for (const JudgedMoment& moment : run.moments) {
     if (!moment.localized()) continue;
     if (way.marks.empty()) way.marks.push_back(moment.truth.position());
     way.estimate.push_back(moment.estimate.position());

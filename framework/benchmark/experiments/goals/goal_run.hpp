@@ -2,7 +2,7 @@
 
 #include "benchmark/experiments/goals/goal_task.hpp"
 #include "benchmark/experiments/kit/contender.hpp"
-#include "benchmark/experiments/kit/moment.hpp"
+#include "benchmark/experiments/kit/judged_moment.hpp"
 #include "benchmark/experiments/kit/order_statistics.hpp"
 
 #include "closed_loop/closed_loop.hpp"
@@ -32,7 +32,7 @@ struct GoalRun {
   int recoveries = 0;  ///< all hypotheses had gone, or the robot backed off
   Pose2 start;         ///< T_map_base, truly
   Point goal = Point::Zero();
-  std::vector<Moment> moments;  ///< by scan
+  std::vector<JudgedMoment> moments;  ///< by scan
   struct Start {
     Point from;                   ///< where the robot was, frame `map`
     std::vector<Point> features;  ///< of the pattern, frame `map`, as seen from there

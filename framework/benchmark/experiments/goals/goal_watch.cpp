@@ -99,9 +99,9 @@ void GoalWatch::look(const Blackboard& blackboard) {
   if (under_way_ && run_.places_after_inspection < 0) run_.places_after_inspection = places_of(said);
   run_.places_at_end = places_of(said);
   look_at_hypotheses(blackboard);
-  Moment moment{simulation_.now_s(), 0,           simulation_.T_map_base(), said.T_map_base,
-                said.has_pose,       said.status, said.hypotheses,          0,
-                under_way_};
+  JudgedMoment moment{simulation_.now_s(), 0,           simulation_.T_map_base(), said.T_map_base,
+                      said.has_pose,       said.status, said.hypotheses,          0,
+                      under_way_};
   if (!run_.moments.empty())
     moment.driven_m = run_.moments.back().driven_m + distance_m(run_.moments.back().truth, moment.truth);
   run_.moments.push_back(moment);

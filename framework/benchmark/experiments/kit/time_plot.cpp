@@ -17,14 +17,14 @@ constexpr std::array<StatusTone, 4> kTones{{{"nothing", "no hypothesis"},
                                             {"good", "localized, and right"},
                                             {"bad", "localized, and wrong"}}};
 
-const StatusTone& tone_of(const Moment& moment) {
+const StatusTone& tone_of(const JudgedMoment& moment) {
   if (moment.localized()) return kTones[moment.right() ? 2 : 3];
   return kTones[moment.has_pose ? 1 : 0];
 }
 
-std::vector<LinePlot::Span> spans_of(std::span<const Moment> moments) {
+std::vector<LinePlot::Span> spans_of(std::span<const JudgedMoment> moments) {
   std::vector<LinePlot::Span> spans;
-  for (const Moment& moment : moments) {
+  for (const JudgedMoment& moment : moments) {
     const StatusTone& now = tone_of(moment);
     if (!spans.empty()) spans.back().to = moment.time_s;
     if (spans.empty() || spans.back().tone != now.tone)
@@ -35,10 +35,10 @@ std::vector<LinePlot::Span> spans_of(std::span<const Moment> moments) {
 
 /// A line on a logarithmic axis; what is below `low` is drawn there, and what is negative is a gap.
 template <class Value>
-void add(LinePlot& plot, std::span<const Moment> moments, PlotAxis axis, const char* tone, const Value& value) {
+void add(LinePlot& plot, std::span<const JudgedMoment> moments, PlotAxis axis, const char* tone, const Value& value) {
   axis.logarithmic = true;
   LinePlot::Line line{std::move(axis), {}, tone};
-  for (const Moment& moment : moments) {
+  for (const JudgedMoment& moment : moments) {
     const double y = value(moment);
     line.y.push_back(y < 0 ? std::nan("") : std::max(y, *line.upwards.from));
   }
@@ -47,20 +47,20 @@ void add(LinePlot& plot, std::span<const Moment> moments, PlotAxis axis, const c
 
 }  // namespace
 
-LinePlot lines_over_time(std::span<const Moment> moments) {
+LinePlot lines_over_time(std::span<const JudgedMoment> moments) {
   LinePlot plot{{"time", "s", false, 0.0}, {}, {}, spans_of(moments)};
-  for (const Moment& moment : moments) plot.x.push_back(moment.time_s);
+  for (const JudgedMoment& moment : moments) plot.x.push_back(moment.time_s);
   add(plot, moments, {"error of the best hypothesis", "m", true, 0.01, 10.0}, "a",
-      [](const Moment& m) { return m.has_pose ? m.error_m() : -1; });
+      [](const JudgedMoment& m) { return m.has_pose ? m.error_m() : -1; });
   add(plot, moments, {"hypotheses", "", true, 1.0, 10.0}, "b",
-      [](const Moment& m) { return m.hypotheses > 0 ? m.hypotheses : -1; });
-  if (std::any_of(moments.begin(), moments.end(), [](const Moment& m) { return m.cpu_ms > 0; }))
+      [](const JudgedMoment& m) { return m.hypotheses > 0 ? m.hypotheses : -1; });
+  if (std::any_of(moments.begin(), moments.end(), [](const JudgedMoment& m) { return m.cpu_ms > 0; }))
     add(plot, moments, {"CPU per update", "ms", true, 0.1, 10.0}, "c",
-        [](const Moment& m) { return m.cpu_ms > 0 ? m.cpu_ms : -1; });
+        [](const JudgedMoment& m) { return m.cpu_ms > 0 ? m.cpu_ms : -1; });
   return plot;
 }
 
-std::string time_plot(std::span<const Moment> moments) {
+std::string time_plot(std::span<const JudgedMoment> moments) {
   return moments.empty() ? "" : plot_html(lines_over_time(moments), "error and hypotheses over time");
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "benchmark/experiments/kit/moment.hpp"
+#include "benchmark/experiments/kit/judged_moment.hpp"
 #include "report/plot.hpp"
 
 #include <span>
@@ -10,9 +10,9 @@ namespace opal::experiments {
 
 /// A run over time: error of the best hypothesis, number of hypotheses, CPU time per update if any was
 /// measured, and in a bar whether it was localized (Hendrikx 2023, figure 3.10).
-LinePlot lines_over_time(std::span<const Moment> moments);
+LinePlot lines_over_time(std::span<const JudgedMoment> moments);
 /// The same as HTML; empty without moments.
-std::string time_plot(std::span<const Moment> moments);
+std::string time_plot(std::span<const JudgedMoment> moments);
 
 /// What the colours of that bar mean. HTML.
 std::string status_key();

@@ -43,7 +43,7 @@ void remove_cpu(nlohmann::ordered_json& json) {
     }
 }
 
-ChallengeRun run_of(std::vector<Moment> moments) {
+ChallengeRun run_of(std::vector<JudgedMoment> moments) {
   ChallengeRun run;
   run.challenge = "B1";
   run.moments = std::move(moments);
@@ -51,8 +51,8 @@ ChallengeRun run_of(std::vector<Moment> moments) {
   return run;
 }
 
-Moment moment(double time_s, double error_m, bool localized) {
-  Moment said;
+JudgedMoment moment(double time_s, double error_m, bool localized) {
+  JudgedMoment said;
   said.time_s = time_s;
   said.estimate = opal::Pose2(error_m, 0, 0);
   said.has_pose = true;

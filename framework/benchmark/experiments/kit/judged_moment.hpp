@@ -6,7 +6,7 @@
 namespace opal::experiments {
 
 /// What was said about one scan, beside the truth.
-struct Moment {
+struct JudgedMoment {
   double time_s = 0, driven_m = 0;  ///< since the start
   Pose2 truth, estimate;            ///< T_map_base
   bool has_pose = false;
