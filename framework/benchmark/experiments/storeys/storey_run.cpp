@@ -11,9 +11,9 @@ namespace opal::experiments {
 namespace {
 
 /// Watches the answers of one drive.
-class Watch {
+class StoreyWatch {
  public:
-  Watch(const SemanticMap& map, const RecordedWay& way, std::optional<double> after_s, StoreyRun& run)
+  StoreyWatch(const SemanticMap& map, const RecordedWay& way, std::optional<double> after_s, StoreyRun& run)
       : map_(map), way_(way), after_s_(after_s), run_(run) {}
 
   void see(const LiveAnswer& answer) {
@@ -73,7 +73,7 @@ StoreyRun run_storey_drive(const StoreyWorld& world, const std::string& storey, 
   run.seed = seed;
   run.from = run.to = storey;
   const RecordedWay way(recording);
-  Watch watch(map, way, std::nullopt, run);
+  StoreyWatch watch(map, way, std::nullopt, run);
   play(world.parts, recording, [&](const LiveAnswer& answer) { watch.see(answer); });
   run.driven_m = way.all_m();
   run.difference = difference(world.parts, recording, std::nullopt);
@@ -94,7 +94,7 @@ std::optional<StoreyRun> run_ride(const StoreyWorld& world, const MapConnection&
   run.to = to;
   run.lift = lift.id;
   const RecordedWay way(made->recording, made->ride.leaves_s);
-  Watch watch(map, way, made->ride.leaves_s, run);
+  StoreyWatch watch(map, way, made->ride.leaves_s, run);
   play(world.parts, made->recording, [&](const LiveAnswer& answer) {
     watch.see(answer);
     if (answer.stamp_s <= made->ride.stands_s) run.localized_before = run.is_right;
