@@ -30,13 +30,13 @@ constexpr double kSearchFrom_nat = 3;
 }  // namespace
 
 void KidnapDetector::add(const Evidence& seen) {
-  const bool fell = agreement_fall_.add(seen.agreement);
-  if (fell || !continues(seen)) {
+  const bool fell = agreement_fall_.add(seen.agreement), doubted = is_doubted(seen);
+  if (fell || doubted || seen.match_share < kContinuingShare) {
     discontinued_ = seen.keyframe;
     since_discontinued_ = 0;
   }
   since_discontinued_ += seen.tempering_weight;
-  is_broken_ = seen.match_share < kBrokenShare * usual_share_ || is_doubted(seen);
+  is_broken_ = doubted || seen.match_share < kBrokenShare * usual_share_;
   constexpr double kShareMemory = 0.8;
   usual_share_ = kShareMemory * usual_share_ + (1 - kShareMemory) * seen.match_share;
   turn_to(seen);
@@ -80,10 +80,6 @@ void KidnapDetector::reset() {
   is_broken_ = false;
   discontinued_ = {};
   since_discontinued_ = 0;
-}
-
-bool KidnapDetector::continues(const Evidence& seen) const {
-  return seen.match_share >= kContinuingShare && !is_doubted(seen);
 }
 
 bool KidnapDetector::is_doubted(const Evidence& seen) const {

@@ -65,8 +65,6 @@ class OPAL_EXPORT KidnapDetector {
   };
 
   void turn_to(const Evidence& seen);
-  /// Whether this scan shows enough of what was seen before.
-  bool continues(const Evidence& seen) const;
   /// Whether it shows less of what was seen before than usual, and says much less for the place than scans did.
   bool is_doubted(const Evidence& seen) const;
   /// Some scan since then, or just before, did not continue those before.
