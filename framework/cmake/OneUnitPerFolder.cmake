@@ -7,7 +7,10 @@ option(OPAL_ONE_UNIT_PER_FOLDER "compile all sources of a folder together" ON)
 # dear, those that lie side by side share a unit of at most BYTES. A unit names its sources relative to the project (CMake's own
 # UNITY_BUILD names them by their whole path), so that ccache knows it again in another clone.
 function(opal_one_unit_per_folder target)
-  set(most_bytes 0${ARGV1})
+  set(most_bytes 0)
+  if(ARGC GREATER 1)  # else ARGV1 is that of the calling function
+    set(most_bytes ${ARGV1})
+  endif()
   if(NOT OPAL_ONE_UNIT_PER_FOLDER)
     return()
   endif()
