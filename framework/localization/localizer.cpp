@@ -134,16 +134,19 @@ double Localizer::State::tempering_weight() const {
   return std::clamp(step_m / tempering.distance_m + turn_rad / tempering.angle_rad, tempering.least_weight, 1.0);
 }
 
+/// No scan came on so long a way that it may be laid over a place that only looks like the one where the robot is.
+bool Localizer::State::drove_blind() const { return odometry_error_m(step_m) > kWidestWindow_m; }
+
 PoseEstimate Localizer::State::estimate(const Observation& observation) {
   StageClock clock(times.status_s);
   const auto& all = hypotheses.alive();
   const Pose2 T_local_base = local_map.T_local_base();
   if (all.empty()) return status.estimate(all, T_local_base, stamp_s, {tempering_weight(), kidnapping.probability()});
   const Pose2& T_map_local = all.front().hypothesis.T_map_local;
-  return status.estimate(
-      all, T_local_base, stamp_s,
-      {tempering_weight(), kidnapping.probability(), unmapped_walls_m(local_map, *parts.map, T_map_local),
-       kidnapping.is_broken(), newest_agreement.at(T_map_local * T_local_base, observation, *parts.map)});
+  return status.estimate(all, T_local_base, stamp_s,
+                         {tempering_weight(), kidnapping.probability(),
+                          unmapped_walls_m(local_map, *parts.map, T_map_local), kidnapping.is_broken() || drove_blind(),
+                          newest_agreement.at(T_map_local * T_local_base, observation, *parts.map)});
 }
 
 void Localizer::State::track(const Observation& observation, const Sample& sample) {

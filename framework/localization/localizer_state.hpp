@@ -45,6 +45,7 @@ struct Localizer::State {
   bool is_keyframe(const Sample& sample);
   bool fits_no_more(const Sample& sample) const;
   double tempering_weight() const;  ///< of the newest scan
+  bool drove_blind() const;         ///< before the newest scan
   PoseEstimate estimate(const Observation& observation);
   void track(const Observation& observation, const Sample& sample);
   void carry();

@@ -24,17 +24,22 @@ inline Eigen::Vector3d limited(const Eigen::Vector3d& step) {
   return {share * step.x(), share * step.y(), std::clamp(step.z(), -kWidest_rad, kWidest_rad)};
 }
 
-/// How far off odometry may be after a step, in position [m] and heading [rad].
+/// How far off odometry may be in position after a step [m]: wheels that slip or are not as large as said lose a share
+/// of what was driven. Even after a short step the stamps of odometry and scan differ.
+inline double odometry_error_m(double step_m) {
+  constexpr double kDrift = 0.15, kLeast_m = 0.1;
+  return kLeast_m + kDrift * step_m;
+}
+
+/// The time of the search grows with the third power of the window.
+inline constexpr double kWidestWindow_m = 0.5, kWidestWindow_rad = 0.35;
+
+/// How far off odometry may be after a step, in position [m] and heading [rad], as far as a search affords it.
 inline Eigen::Vector2d odometry_window(double step_m, double turn_rad) {
-  // Wheels that slip or are not as large as said: a share of what was driven and turned, and heading is lost by
-  // driving.
-  constexpr double kDrift = 0.15, kTurnDrift = 0.1, kDrift_rad_per_m = 0.08;
-  // What is wrong even after a short step: the stamps of odometry and scan.
-  constexpr double kLeast_m = 0.1, kLeast_rad = 0.04;
-  // The time of the search grows with the third power of the window.
-  constexpr double kMost_m = 0.5, kMost_rad = 0.35;
-  return {std::min(kMost_m, kLeast_m + kDrift * step_m),
-          std::min(kMost_rad, kLeast_rad + kTurnDrift * turn_rad + kDrift_rad_per_m * step_m)};
+  constexpr double kTurnDrift = 0.1, kDrift_rad_per_m = 0.08;  // heading is lost by driving, too
+  constexpr double kLeast_rad = 0.04;
+  return {std::min(kWidestWindow_m, odometry_error_m(step_m)),
+          std::min(kWidestWindow_rad, kLeast_rad + kTurnDrift * turn_rad + kDrift_rad_per_m * step_m)};
 }
 
 /// How much a residual counts that may be an outlier: 1 at 0, a quarter at `scale` (Geman and McClure 1985).
