@@ -45,6 +45,15 @@ VerdictLikelihood likelihood(const std::vector<Visit>& visits) {
   return likely;
 }
 
+/// The most probable verdict of those that some visit has given; else the object is as mapped.
+DeviationVerdict best_verdict(const std::array<double, 3>& probability, const std::vector<Visit>& visits) {
+  auto best = DeviationVerdict::as_mapped;
+  for (const Visit& visit : visits)
+    if (probability[static_cast<std::size_t>(visit.deviation->verdict)] > probability[static_cast<std::size_t>(best)])
+      best = visit.deviation->verdict;
+  return best;
+}
+
 /// Bayes' rule.
 std::array<double, 3> posterior(const VerdictLikelihood& prior, const VerdictLikelihood& likely) {
   std::array<double, 3> probability{};
@@ -173,14 +182,14 @@ std::string name_of_addition(std::size_t number) { return "learned-" + std::to_s
 
 bool stands(const FaceSight& sight) { return sight.face.seen_through_share < kSeenThrough; }
 
-/// How much likelier visits are to say what they say if the face stands there for good.
-double odds_of(const FaceGroup& group) {
-  double odds = 1;
+/// How much likelier visits are to say what they say if the face stands there for good [nat].
+double log_odds_of(const FaceGroup& group) {
+  double sum = 0;
   for (const FaceSight& sight : group.seen) {
-    const double right = reliability(sight.face.views);
-    odds *= stands(sight) ? right / (1 - right) : (1 - right) / right;
+    const double right = log_odds(reliability(sight.face.views));
+    sum += stands(sight) ? right : -right;
   }
-  return odds;
+  return sum;
 }
 
 Proposal proposal_for(const FaceGroup& group, double prior, std::size_t number) {
@@ -198,8 +207,7 @@ Proposal proposal_for(const FaceGroup& group, double prior, std::size_t number) 
                                .face = face.face,
                                .seen_through_share = face.seen_through_share});
   }
-  const double odds = prior / (1 - prior) * odds_of(group);
-  proposal.probability = odds / (1 + odds);
+  proposal.probability = probability_of(log_odds(prior) + log_odds_of(group));
   proposal.moves_about = proposal.visits_against > 0;
   name_drives(proposal, drives);
   return proposal;
@@ -209,7 +217,7 @@ Proposal proposal_for(const FaceGroup& group, double prior, std::size_t number) 
 void propose_additions(Learned& learned, const std::vector<FaceGroup>& groups, const std::set<std::string>& names) {
   std::vector<double> seen_again;
   for (const FaceGroup& group : groups)
-    if (group.seen.size() > 1) seen_again.push_back(odds_of(group));
+    if (group.seen.size() > 1) seen_again.push_back(log_odds_of(group));
   const double prior = prior_share_of_additions(seen_again);
   std::size_t number = 0;
   for (const FaceGroup& group : groups) {
@@ -262,12 +270,12 @@ Learned learned_from(const SemanticMap& map, std::span<const DriveEvidence> driv
       continue;
     }
     const std::array<double, 3> probability = posterior(prior, likelihood(visits->second));
-    const auto best = std::max_element(probability.begin(), probability.end()) - probability.begin();
-    if (best == static_cast<int>(DeviationVerdict::as_mapped))
+    const DeviationVerdict best = best_verdict(probability, visits->second);
+    if (best == DeviationVerdict::as_mapped)
       ++learned.sound;
     else
       learned.proposals.push_back(
-          proposal_for(object, visits->second, static_cast<DeviationVerdict>(best), probability[best]));
+          proposal_for(object, visits->second, best, probability[static_cast<std::size_t>(best)]));
   }
   propose_additions(learned, grouped_faces(ordered), names);
   std::stable_sort(learned.proposals.begin(), learned.proposals.end(), is_first);

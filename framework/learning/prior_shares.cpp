@@ -1,5 +1,7 @@
 #include "learning/prior_shares.hpp"
 
+#include <cmath>
+
 namespace opal {
 namespace {
 
@@ -25,12 +27,16 @@ VerdictLikelihood prior_shares(std::span<const VerdictLikelihood> objects) {
   return shares;
 }
 
-double prior_share_of_additions(std::span<const double> odds) {
+double log_odds(double probability) { return std::log(probability / (1 - probability)); }
+
+double probability_of(double log_odds) { return 1 / (1 + std::exp(-log_odds)); }
+
+double prior_share_of_additions(std::span<const double> odds_nat) {
   double share = kAddedBefore;
   for (int step = 0; step < kSteps; ++step) {
     double count = 0;
-    for (const double each : odds) count += share * each / (share * each + 1 - share);
-    share = (kBeforeCounts * kAddedBefore + count) / (kBeforeCounts + static_cast<double>(odds.size()));
+    for (const double each : odds_nat) count += probability_of(log_odds(share) + each);
+    share = (kBeforeCounts * kAddedBefore + count) / (kBeforeCounts + static_cast<double>(odds_nat.size()));
   }
   return share;
 }

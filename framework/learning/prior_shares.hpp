@@ -14,8 +14,12 @@ using VerdictLikelihood = std::array<double, 3>;
 VerdictLikelihood prior_shares(std::span<const VerdictLikelihood> objects);
 
 /// Share of the straight faces that the map lacks and that stand there for good: 0.10 before anybody drove, as if
-/// twenty had been seen. @param odds  of faces that more than one visit has seen: how much likelier it is that visits
-/// say what they said if the face stands there for good than if it does not.
-double prior_share_of_additions(std::span<const double> odds);
+/// twenty had been seen. @param odds_nat  of faces that more than one visit has seen: how much likelier it is that
+/// visits say what they said if the face stands there for good than if it does not; its logarithm.
+double prior_share_of_additions(std::span<const double> odds_nat);
+
+/// [nat] Of many visits, odds themselves are too large for a number.
+double log_odds(double probability);
+double probability_of(double log_odds);
 
 }  // namespace opal

@@ -101,7 +101,39 @@ TEST_CASE("one look changes a map that has turned out to be wrong in many places
   CHECK(prior_shares(good)[1] < 0.03);
   CHECK(prior_shares(wrong)[1] > 0.35);
   CHECK(prior_share_of_additions({}) == Approx(0.1));
-  CHECK(prior_share_of_additions(std::vector<double>(40, 1000)) > 0.6);
+  CHECK(prior_share_of_additions(std::vector<double>(40, 7)) > 0.6);
+}
+
+TEST_CASE("as many visits as a fleet makes are as good as a few") {
+  const auto map = room();
+  const int visits = GENERATE(5, 200, 1000);
+  CAPTURE(visits);
+  const std::vector<UnmappedFace> faces{{{{2, 3}, {5, 3}}, 30, 0}};
+  std::vector<DriveEvidence> drives;
+  for (int k = 0; k < visits; ++k)
+    drives.push_back(drive("drive " + std::to_string(k), {seen("wall-0", kThere)}, faces));
+  const Learned learned = learned_from(*map, drives);
+  REQUIRE(learned.proposals.size() == 1);
+  CHECK(learned.proposals.front().probability > 0.99);
+  CHECK(learned.proposals.front().probability <= 1);
+}
+
+TEST_CASE("an object that no visit has seen elsewhere is not moved, however many others are") {
+  std::vector<MapObject> objects;
+  std::vector<MapFeature> features;
+  std::vector<Deviation> said;
+  for (int k = 0; k < 600; ++k) {
+    const std::string id = "wall-" + std::to_string(k);
+    objects.push_back({id, "opal:Wall"});
+    features.push_back({id + "/face", MapObjectNumber(k), "opal:Wall", kSensor, Segment{{0, 2. * k}, {8, 2. * k}}});
+    said.push_back(k == 0 ? seen(id, kThere, Point::Zero(), 1) : seen(id, kMoved, {0, 0.4}));
+  }
+  const auto map = SemanticMap::make("room", objects, features);
+  const std::vector<DriveEvidence> drives{drive("a", said)};
+  const Learned learned = learned_from(*map, drives);
+  CHECK(proposal_of(learned, "wall-0") == nullptr);
+  CHECK(proposal_of(learned, "wall-1") != nullptr);
+  for (const Proposal& proposal : learned.proposals) CHECK(proposal.moved.allFinite());
 }
 
 TEST_CASE("faces of one object move by as much as each was seen elsewhere") {
