@@ -3,6 +3,11 @@
 #include "learning/followed_leg.hpp"
 #include "learning/gap_leg.hpp"
 
+#include <opal/common/error.hpp>
+#include <opal/common/warning.hpp>
+
+#include <fmt/format.h>
+
 #include <iterator>
 #include <utility>
 
@@ -78,9 +83,14 @@ struct DriveObserver::State {
   void put_together() {
     end_leg();
     last.reset();
-    std::vector<VisitEvidence> said = evidence_of(*parts.map, std::exchange(legs, {}));
-    std::move(said.begin(), said.end(), std::back_inserter(evidence.visits));
-    evidence.learned_m += std::exchange(learned_m, 0);
+    const double way_m = std::exchange(learned_m, 0);
+    try {
+      std::vector<VisitEvidence> said = evidence_of(*parts.map, std::exchange(legs, {}));
+      std::move(said.begin(), said.end(), std::back_inserter(evidence.visits));
+      evidence.learned_m += way_m;
+    } catch (const Error& error) {
+      warn(fmt::format("{}: {:.0f} m of the drive are left out", error.what(), way_m));
+    }
   }
 
   DriveEvidence said_by(const std::string& drive) {

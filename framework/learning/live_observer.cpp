@@ -2,6 +2,7 @@
 
 #include "common/task_queue.hpp"
 
+#include <opal/common/warning.hpp>
 #include <opal/sensing/scan_pairing.hpp>
 
 #include <thread>
@@ -43,11 +44,21 @@ struct LiveObserver::State {
     }
   }
 
+  /// Whatever goes wrong here, the robot is localized all the same.
+  template <class Step>
+  void try_to(const Step& step) {
+    try {
+      step();
+    } catch (const std::exception& error) {
+      warn(std::string("learning: ") + error.what() + ": what these visits have taught is lost");
+    }
+  }
+
   void work(const std::stop_token& stop) {
     constexpr std::chrono::milliseconds kPatience(1000);
     while (!stop.stop_requested())
-      if (const std::optional<LogRecord> record = records.next(stop, kPatience)) watch(*record);
-    tell(observer.finish(next_name()));
+      if (const std::optional<LogRecord> record = records.next(stop, kPatience)) try_to([&] { watch(*record); });
+    try_to([&] { tell(observer.finish(next_name())); });
   }
 };
 

@@ -58,3 +58,21 @@ TEST_CASE("what is learned while a robot drives is what its recording teaches, v
 TEST_CASE("an observer that cannot keep up drops the oldest records and goes on") {
   CHECK(learned_live(10).size() <= learned_at_once().visits.size());
 }
+
+TEST_CASE("what goes wrong with what was learned ends neither the robot nor what comes later") {
+  std::mutex mutex;
+  int told = 0;
+  {
+    LiveObserver observer(
+        robot().parts(), "a drive",
+        [&](const DriveEvidence&) {
+          const std::lock_guard lock(mutex);
+          ++told;
+          throw std::runtime_error("the disk is gone");
+        },
+        100'000);
+    for (const simulation::Arrival& arrival : robot().arrivals) observer.take(arrival.record);
+    REQUIRE(observer.drain(120));
+  }
+  CHECK(told > 0);
+}

@@ -13,14 +13,14 @@ namespace opal::cli {
 
 /// Where a robot's evidence goes while it drives.
 struct LearningOptions {
-  std::string evidence;    ///< a file (.json), written anew after each visit; empty: none
+  std::string evidence;    ///< a file (.json), written anew after every ten visits; empty: none
   bool is_pushed = false;  ///< into the map store
 
   bool any() const { return is_pushed || !evidence.empty(); }
 };
 
-/// Learns from a running robot, and keeps what it has learned after each visit. What cannot be kept is told once, and
-/// the robot is localized all the same.
+/// Learns from a running robot, and keeps what it has learned, ten visits at a time. What cannot be kept is told once,
+/// and the robot is localized all the same.
 class LearningRobot {
  public:
   /// @param map  that the robot is localized on; if evidence shall be pushed, a version of a map store.

@@ -88,7 +88,7 @@ void Ros2Options::add_running(CLI::App& verb) {
   verb.add_option("--state", rest.state_file, "file to keep the last good pose in, a hint for the next start")
       ->excludes(look);
   verb.add_option("--evidence", learning.evidence,
-                  "file (.json) to write after each visit: what the drive says of the map, for opal learn")
+                  "file (.json) to write after every ten visits: what the drive says of the map, for opal learn")
       ->excludes(look);
   verb.add_flag("--push", learning.is_pushed, "tell the map store the same of store:BUILDING, for all robots together")
       ->excludes(look);
