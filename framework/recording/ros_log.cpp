@@ -65,16 +65,28 @@ std::string metadata_of(const std::string& folder) {
   return std::string(std::istreambuf_iterator<char>(list), {});
 }
 
+std::string_view without(std::string_view text, std::string_view around) {
+  const std::size_t first = text.find_first_not_of(around);
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(around) - first + 1);
+}
+
+/// NAME_0.db3 of "  - NAME_0.db3" and of "  - path: 'NAME_0.db3'".
+std::string listed_in(std::string_view line) {
+  constexpr std::string_view kBlanks = " \t\r";
+  line = without(line, kBlanks);
+  for (const std::string_view before : {"- ", "path: "})
+    if (line.starts_with(before)) line = without(line.substr(before.size()), kBlanks);
+  return std::string(without(line, "\"'"));
+}
+
 /// The parts that it lists, and that are not there.
 std::vector<std::string> absent_parts(const std::string& folder, const std::string& ending) {
   std::set<std::string> absent;
-  static const std::regex kPart(R"(\s*(- )?(path: )?["']?(.*?)["']?\s*)");  // "  - NAME_0.db3", "  - path: NAME_0.db3"
   std::istringstream lines(fs::is_directory(folder) ? metadata_of(folder) : "");
-  std::smatch found;
   for (std::string line; std::getline(lines, line);) {
-    if (!std::regex_match(line, found, kPart) || !found[3].str().ends_with(ending)) continue;
-    const std::string name = name_of(found[3]);
-    if (!fs::exists(fs::path(folder) / name)) absent.insert(name);
+    const std::string file = listed_in(line), name = name_of(file);
+    if (file.ends_with(ending) && !fs::exists(fs::path(folder) / name)) absent.insert(name);
   }
   return {absent.begin(), absent.end()};
 }

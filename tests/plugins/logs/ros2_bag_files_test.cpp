@@ -194,3 +194,17 @@ TEST_CASE("reading a recording leaves nothing beside it, and what waits in its w
   CHECK(records_of(path).size() == 2);
   sqlite3_close(database);
 }
+
+TEST_CASE("a list of parts with long lines is read") {
+  const TemporaryFolder folder;
+  {
+    BagWriter bag(folder.path_of("drive_0.db3"));
+    bag.message(bag.scans(), 1, scan_stamped(1).bytes());
+  }
+  std::ofstream(folder.path_of("metadata.yaml"))
+      << "  offered_qos_profiles: \"" << std::string(1'000'000, 'x') << "\"\r\n  relative_file_paths:\r\n"
+      << "    - 'drive_1.db3'\r\n";
+  CHECK(contents_of(folder.path())
+            .defects.contains(
+                "metadata.yaml names drive_1.db3, and no such file is there: that part of the recording is missing"));
+}
