@@ -78,10 +78,15 @@ int make_page(const Review& review, const std::vector<std::string>& notes, const
   return kDone;
 }
 
-int serve(Review& review, const ReviewOptions& options) {
+/// What was decided before: in the file that is named, else beside the overlay; empty: nothing.
+std::string decided_before(const ReviewOptions& options) {
+  if (!options.decisions.empty() || options.out.empty()) return options.decisions;
+  const std::string beside = decisions_beside(options.out);
+  return fs::exists(beside) ? beside : "";
+}
+
+int serve(Review& review, const std::vector<std::string>& notes, const ReviewOptions& options) {
   const ReviewFiles files{decisions_beside(options.out), options.out};
-  std::vector<std::string> notes;
-  if (fs::exists(files.decisions)) notes = resumed(review, files.decisions);
   const StopSignals signals;  // before the server's threads
   {
     const ReviewServer server(review, notes, files, options.port);
@@ -102,11 +107,13 @@ int review(const ReviewOptions& options) {
   if (options.out.empty() && options.html.empty())
     throw CLI::ValidationError("-o is missing, expected an overlay to write (.jsonld), or --html with a page to write");
   Review review(matter_of(options));
+  const std::string decisions = decided_before(options);
   std::vector<std::string> notes;
-  if (!options.decisions.empty()) notes = resumed(review, options.decisions);
+  if (!decisions.empty()) notes = resumed(review, decisions);
   if (!options.html.empty()) make_page(review, notes, options.html);
   if (options.out.empty()) return kDone;
-  return options.decisions.empty() && options.html.empty() ? serve(review, options) : make_overlay(review, options.out);
+  if (options.decisions.empty() && options.html.empty()) return serve(review, notes, options);
+  return decisions.empty() ? kDone : make_overlay(review, options.out);  // nobody has decided: what is there stays
 }
 
 }  // namespace

@@ -42,6 +42,16 @@ class Review(DamagedMap):
         self.assertEqual({answer["answer"] for answer in self.data()["answers"]}, {"refused"})
         self.assertEqual(self.data()["notes"], [])
 
+    def test_a_page_leaves_the_overlay_until_somebody_decides(self):
+        overlay = self.folder / "reviewed.jsonld"
+        self.review("--html", "review.html", "-o", "reviewed.jsonld")
+        self.assertFalse(overlay.exists())
+        self.decide(lambda p: "accepted" if not p["objection"] else "refused")
+        self.review("--decisions", "decisions.json", "-o", "reviewed.jsonld")
+        kept = overlay.read_bytes()
+        self.review("--html", "review.html", "-o", "reviewed.jsonld")
+        self.assertEqual(overlay.read_bytes(), kept)
+
     def test_decisions_about_what_has_changed_are_asked_again(self):
         self.review("--html", "review.html")
         document = self.decide(lambda p: "accepted" if not p["objection"] else "refused")
