@@ -8,6 +8,7 @@
 #include "sensing/log_check.hpp"
 #include "sensor_health/motion_pairs.hpp"
 #include "sensor_health/sensor_judgement.hpp"
+#include "session/moved_deployment.hpp"
 #include "session/session.hpp"
 #include "session/shipped_files.hpp"
 
@@ -122,7 +123,7 @@ int write_deployment(const MotionCalibration& drive, const CalibrateOptions& opt
   const std::string objection =
       calibrated.mount.empty() ? "" : write_mount(document, described, used, calibrated.mount);
   if (!calibrated.odometry.empty()) document["odometry"].merge_patch(calibrated.odometry);
-  write_text(options.out, document.dump(2) + '\n');
+  write_text(options.out, session::moved_deployment(std::move(document), options.config, options.out).dump(2) + '\n');
   fmt::print("written: {}\n", options.out);
   if (!objection.empty()) fmt::print("the mount is not written: {}\n", objection);
   if (!calibrated.left.empty())

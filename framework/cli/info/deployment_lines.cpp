@@ -1,6 +1,7 @@
 #include "cli/info/deployment_lines.hpp"
 
 #include "common/text_file.hpp"
+#include "session/moved_deployment.hpp"
 #include "session/shipped_files.hpp"
 
 #include <opal/deployment/deployment.hpp>
@@ -139,7 +140,7 @@ void write_deployment(const nlohmann::ordered_json& lines, const std::string& co
   auto document = nlohmann::ordered_json::parse(std::ifstream(start));
   document.erase("comment");
   document.merge_patch(lines);
-  write_text(out, document.dump(2) + '\n');
+  write_text(out, session::moved_deployment(std::move(document), start, out).dump(2) + '\n');
   std::cerr << "written: " << out << '\n';
 }
 
