@@ -18,7 +18,8 @@ bool is_one_of(const std::array<std::string_view, N>& names, const std::string& 
 }
 
 bool writes(const CLI::Option& option) {
-  constexpr std::array<std::string_view, 6> kOutputs{"--out", "--svg", "--png", "--record", "--state", "--motions"};
+  constexpr std::array<std::string_view, 10> kOutputs{"--out",     "--svg", "--png",      "--record", "--state",
+                                                      "--motions", "--csv", "--evidence", "--report", "--html"};
   return is_one_of(kOutputs, option.get_name());
 }
 
