@@ -67,6 +67,9 @@ class XmlReader {
   static void end_element(void* self, const XML_Char* name) {
     auto& reader = *static_cast<XmlReader*>(self);
     const std::string_view type = name;
+    if (type == "member" && reader.inside_ == Inside::relation) reader.end_member();
+    if (type == "way" && reader.inside_ == Inside::way) reader.end_way();
+    if (type == "relation" && reader.inside_ == Inside::relation) reader.end_relation();
     if (type == "node" || type == "way" || type == "relation") reader.inside_ = Inside::nothing;
   }
 
@@ -93,8 +96,7 @@ class XmlReader {
     if (type == "node" || type == "way" || type == "relation") return begin_object(type, attributes);
     if (inside_ == Inside::nothing) return;
     if (type == "tag") add_tag(attributes);
-    if (type == "nd" && inside_ == Inside::way)
-      if (const auto id = number<std::int64_t>(attributes, "ref", "nd")) way_->nodes.push_back(*id);
+    if (type == "nd") add_node_of_way(attributes);
     if (type == "member" && inside_ == Inside::relation) add_member(attributes);
   }
 
@@ -108,10 +110,12 @@ class XmlReader {
     if (!id) return;
     if (type == "way") {
       way_ = &extract_.ways[*id];
+      seen_ = {};
       tags_ = &way_->tags;
       inside_ = Inside::way;
     } else if (type == "relation") {
       relation_ = &extract_.relations[*id];
+      members_.clear();
       tags_ = &relation_->tags;
       inside_ = Inside::relation;
     } else {
@@ -129,6 +133,38 @@ class XmlReader {
     inside_ = Inside::node;
   }
 
+  /// "out geom" of Overpass states where a node is; one outside of the query's box is nowhere. In a relation it has no
+  /// name.
+  void add_node_of_way(const XML_Char** attributes) {
+    constexpr std::int64_t kUnnamed = 0;
+    const auto id = inside_ == Inside::way ? number<std::int64_t>(attributes, "ref", "nd") : kUnnamed;
+    if (!id) return;
+    seen_.nodes.push_back(*id);
+    const char *latitude = attribute(attributes, "lat"), *longitude = attribute(attributes, "lon");
+    if (latitude == nullptr || longitude == nullptr) return;
+    const auto y = parse_number<double>(latitude), x = parse_number<double>(longitude);
+    if (x && y) seen_.positions.emplace_back(*x, *y);
+  }
+
+  void take_positions(OsmWay& way) {
+    if (!seen_.nodes.empty() && seen_.positions.size() == seen_.nodes.size())
+      way.positions = std::move(seen_.positions);
+  }
+
+  /// The same object may come twice, with all that it has and without.
+  void end_way() {
+    take_positions(*way_);
+    if (!seen_.nodes.empty()) way_->nodes = std::move(seen_.nodes);
+  }
+
+  void end_member() {
+    if (!members_.empty() && members_.back().type == "way") take_positions(extract_.ways[members_.back().id]);
+  }
+
+  void end_relation() {
+    if (!members_.empty()) relation_->members = std::move(members_);
+  }
+
   void add_tag(const XML_Char** attributes) {
     const char *key = attribute(attributes, "k"), *value = attribute(attributes, "v");
     if (key == nullptr || value == nullptr) return stop("tag without k and v", "both");
@@ -138,7 +174,8 @@ class XmlReader {
   void add_member(const XML_Char** attributes) {
     const char *type = attribute(attributes, "type"), *role = attribute(attributes, "role");
     const auto id = number<std::int64_t>(attributes, "ref", "member");
-    if (id && type != nullptr) relation_->members.push_back({type, role == nullptr ? "" : role, *id});
+    if (id && type != nullptr) members_.push_back({type, role == nullptr ? "" : role, *id});
+    seen_ = {};
   }
 
   enum class Inside { nothing, node, way, relation };
@@ -148,7 +185,9 @@ class XmlReader {
   Inside inside_ = Inside::nothing;
   std::map<std::string, std::string>* tags_ = nullptr;
   OsmWay* way_ = nullptr;
+  OsmWay seen_;  ///< what this element tells of it
   OsmRelation* relation_ = nullptr;
+  std::vector<OsmMember> members_;  ///< of this element
   bool has_root_ = false;
   std::string complaint_;
 };

@@ -126,3 +126,23 @@ TEST_CASE("damaged JSON of Overpass names the place") {
   CHECK_THROWS_WITH(import_overpass({{{"type", "way"}, {"nodes", {1}}}}),
                     Contains("/elements/0: no id, expected an integer"));
 }
+
+TEST_CASE("an object of OpenStreetMap that comes twice is one object") {
+  const std::string wall = way(10, {1, 2, 3, 4, 1}, tag("indoor", "wall")), corners = two_rooms();
+  const std::string bare = way(10, {}, "") + way(10, {1, 2, 3, 4, 1}, "");
+  CHECK(import_osm(corners + wall + bare).map->features().size() == import_osm(corners + wall).map->features().size());
+  CHECK(import_osm(corners + wall + wall).report == import_osm(corners + wall).report);
+}
+
+TEST_CASE("XML of Overpass that states where the nodes of a way are needs no nodes") {
+  const auto at = [](int x, int y) {
+    return fmt::format("<nd ref='{}' lat='{:.5f}' lon='{:.5f}'/>", 100 * x + y, y * 1e-5, x * 1e-5);
+  };
+  const std::string ring = at(0, 0) + at(8, 0) + at(8, 6) + at(0, 6) + at(0, 0), room = tag("indoor", "room");
+  const auto whole = import_osm("<way id='10'>" + ring + room + "</way>").map;
+  CHECK(whole->features().size() >= 4);
+  const auto member = import_osm("<relation id='1'><member type='way' ref='10' role='outer'>" + ring + "</member>" +
+                                 room + tag("type", "multipolygon") + "</relation>")
+                          .map;
+  CHECK(member->features().size() == whole->features().size());
+}
