@@ -119,7 +119,7 @@ class Join {
     const std::string prefix = placement.id + "/";
     const std::size_t first_object = objects_.size(), first_feature = features_.size();
     for (const MapObject& object : map.objects())
-      objects_.push_back({prefix + object.id, object.type, {}, object.notes});
+      objects_.push_back({prefix + object.id, object.type, {}, placed(placement, object.notes)});
     for (MapFeature feature : map.features()) {
       feature.object = MapObjectNumber(first_object + feature.object.number());
       put_before(prefix, feature.id);

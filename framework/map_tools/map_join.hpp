@@ -35,6 +35,9 @@ OPAL_EXPORT std::shared_ptr<const SemanticMap> joined_map(std::span<const MapSou
 /// gets the mean radius of the ellipse that it becomes.
 OPAL_EXPORT Geometry placed(const MapPlacement& placement, const Geometry& geometry_source);
 
+/// What is said of an object, in the joined map's frame.
+OPAL_EXPORT ObjectNotes placed(const MapPlacement& placement, ObjectNotes notes_source);
+
 /// The placement of a source. @throws ConfigError naming those that there are.
 OPAL_EXPORT const MapPlacement& placement_of(const SemanticMap& map, const std::string& id);
 

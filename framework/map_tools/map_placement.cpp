@@ -52,6 +52,11 @@ Geometry placed(const MapPlacement& placement, const Geometry& geometry) {
   return std::visit(Placing(placement), geometry);
 }
 
+ObjectNotes placed(const MapPlacement& placement, ObjectNotes notes) {
+  if (notes.axis) notes.axis = Segment{placement.to_map(notes.axis->begin), placement.to_map(notes.axis->end)};
+  return notes;
+}
+
 const MapPlacement& placement_of(const SemanticMap& map, const std::string& id) {
   const auto& placements = map.origin().placements;
   for (const MapPlacement& placement : placements)

@@ -147,3 +147,18 @@ TEST_CASE("what cannot be joined is refused with the reason") {
   const auto empty = SemanticMap::make("empty", {}, {});
   CHECK_THROWS_WITH(joined_map(std::vector<MapSourcePart>{{"empty", empty}}, {}), Catch::Contains("has no features"));
 }
+
+TEST_CASE("the axis of a wall lies where the wall lies") {
+  const auto map =
+      SemanticMap::make("hall", {{"wall", "opal:Wall", {}, {.axis = Segment{{0, 0.1}, {4, 0.1}}}}},
+                        {{"wall/face", MapObjectNumber(0), "opal:Wall", "PlanarLidar2D", Segment{{0, 0}, {4, 0}}}});
+  const std::vector<MapSourcePart> parts{{"a", map}, {"b", map}};
+  const auto joined = joined_map(parts, {});
+  for (const MapFeature& feature : joined->features()) {
+    const Segment& face = std::get<Segment>(feature.geometry);
+    const std::optional<Segment>& axis = joined->object(feature.object).notes.axis;
+    REQUIRE(axis);
+    CHECK((axis->begin - face.begin - Point(0, 0.1)).norm() < 1e-9);
+    CHECK((axis->end - face.end - Point(0, 0.1)).norm() < 1e-9);
+  }
+}
