@@ -39,7 +39,8 @@ DxfShape spline_of(const DxfRecord& record, std::string& trouble) {
 /// At each vertex, each line of the style lies so far along the mitre as its first parameter says; the others are
 /// dashes.
 DxfShape lines_of(const DxfRecord& record, std::string& trouble) {
-  const auto lines = static_cast<std::size_t>(std::max(0.0, record.real(73, 0)));
+  const auto parameters = std::ranges::count_if(record.pairs, [](const DxfPair& pair) { return pair.code == 74; });
+  const auto lines = static_cast<std::size_t>(std::clamp(record.real(73, 0), 0.0, static_cast<double>(parameters)));
   DxfLines all;
   all.lines.resize(lines, {{}, (static_cast<int>(record.real(71, 0)) & kClosedLines) != 0});
   Point vertex = Point::Zero(), mitre = Point::Zero();
@@ -59,6 +60,7 @@ DxfShape lines_of(const DxfRecord& record, std::string& trouble) {
   for (const DxfPath& path : all.lines)
     if (path.vertices.size() != vertices || vertices < 2) trouble = "a line of it does not go through all its vertices";
   if (all.lines.empty()) trouble = "it has no lines";
+  if (record.real(73, 0) > static_cast<double>(parameters)) trouble = "it has fewer lines than it states";
   if (record.real(230, 1) < 0) trouble = "it is drawn from below";
   return all;
 }

@@ -238,7 +238,10 @@ class Scanner {
 
 }  // namespace
 
-double DxfPair::real() const { return std::strtod(value.c_str(), nullptr); }
+double DxfPair::real() const {
+  const std::string_view text = value;
+  return parse_number<double>(text.substr(text.starts_with('+') ? 1 : 0)).value_or(0);
+}
 
 const DxfPair* DxfRecord::find(int code) const {
   const auto found = std::find_if(pairs.begin(), pairs.end(), [&](const DxfPair& pair) { return pair.code == code; });

@@ -32,6 +32,7 @@ class Bzip2 {
 }  // namespace
 
 recording::Unpacked unpack_bzip2(recording::Bytes packed, std::uint64_t whole_bytes) {
+  recording::expect_chunk_size(whole_bytes);
   constexpr std::size_t kRoomBytes = 1 << 18;
   Bzip2 bzip2(packed);
   recording::Unpacked unpacked;

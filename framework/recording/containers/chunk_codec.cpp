@@ -99,10 +99,14 @@ std::vector<std::byte> pack_zstd(Bytes whole) {
 
 }  // namespace
 
-Unpacked unpack_chunk(const std::string& compression, Bytes packed, std::uint64_t whole_bytes) {
+void expect_chunk_size(std::uint64_t whole_bytes) {
   if (whole_bytes > kMostChunkBytes)
     throw Damage("a chunk of " + std::to_string(whole_bytes) + " bytes, expected at most " +
                  std::to_string(kMostChunkBytes));
+}
+
+Unpacked unpack_chunk(const std::string& compression, Bytes packed, std::uint64_t whole_bytes) {
+  expect_chunk_size(whole_bytes);
   Unpacked unpacked;
   if (compression == "zstd")
     unpacked = unpack_steps(ZstdSteps(), packed, whole_bytes);

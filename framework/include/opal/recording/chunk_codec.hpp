@@ -20,6 +20,8 @@ struct Unpacked {
 
 /// No chunk is larger: what claims to be is damaged. Recorders write chunks of about a megabyte.
 constexpr std::uint64_t kMostChunkBytes = std::uint64_t{1} << 28;
+/// @throws Damage if it is larger.
+void expect_chunk_size(std::uint64_t whole_bytes);
 
 /// Unpacks a chunk.
 /// @param compression  "" for none, "lz4" (frame format) or "zstd".

@@ -200,3 +200,15 @@ TEST_CASE("what is no bag of ROS 1 is not recognized, and refused by name") {
     CHECK_THROWS_WITH(ros1_bag::Ros1Bag({}).open(path), Catch::StartsWith(path));
   }
 }
+
+TEST_CASE("a chunk that says it is larger than any is damaged, however it is packed") {
+  const std::string compression = GENERATE("none", "bz2");
+  CAPTURE(compression);
+  std::string bytes = drive(compression, 6).closed();
+  const std::string size_field = "size=";
+  const std::size_t size = bytes.find(size_field) + size_field.size();
+  for (std::size_t k = 0; k < 4; ++k) bytes[size + k] = static_cast<char>(0xF0);
+  recording::Defects defects;
+  CHECK(messages_of(bytes, &defects).size() < 24);
+  CHECK_FALSE(defects.empty());
+}
