@@ -6,6 +6,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <cerrno>
 #include <cstdio>
 #include <filesystem>
@@ -34,6 +35,19 @@ int sync_folder_of(const std::string& file) {
   return cause;
 }
 
+/// Beside the target, and of this file alone: threads, and processes of other machines, may write it, too.
+/// @return the descriptor, or -1 with errno.
+int open_draft(const std::string& target, std::string& draft) {
+  constexpr int kMostTries = 1000;
+  static std::atomic<unsigned> number = 0;
+  int file = -1;
+  for (int tries = 0; tries < kMostTries && (tries == 0 || (file < 0 && errno == EEXIST)); ++tries) {
+    draft = target + "." + std::to_string(getpid()) + "-" + std::to_string(number++) + ".part";
+    file = open(draft.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+  }
+  return file;
+}
+
 }  // namespace
 
 WholeFile::WholeFile(const std::string& path) : path_(path), target_(target_of(path)) {
@@ -41,9 +55,7 @@ WholeFile::WholeFile(const std::string& path) : path_(path), target_(target_of(p
   const bool exists = stat(target_.c_str(), &found) == 0;
   if (exists && S_ISDIR(found.st_mode)) throw WriteError(path_, EISDIR);
   const bool is_ordinary = !exists || S_ISREG(found.st_mode);
-  if (is_ordinary) draft_ = target_ + "." + std::to_string(getpid()) + ".part";
-  const std::string& written = is_ordinary ? draft_ : target_;
-  file_ = open(written.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  file_ = is_ordinary ? open_draft(target_, draft_) : open(target_.c_str(), O_WRONLY | O_TRUNC | O_CLOEXEC);
   if (file_ < 0) {
     const int cause = errno;
     draft_.clear();

@@ -7,6 +7,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <unistd.h>
+
 #include <filesystem>
 
 using namespace opal;
@@ -54,4 +56,25 @@ TEST_CASE("a link stays a link, and permissions stay what they were") {
   CHECK(fs::is_symlink(folder.path_of("link")));
   CHECK(content_of(real) == "new");
   CHECK(fs::status(real).permissions() == (fs::perms::owner_read | fs::perms::owner_write));
+}
+
+TEST_CASE("several may write one file at a time, and one of them is whole in the end") {
+  const TemporaryFolder folder;
+  const std::string path = folder.path_of("map.jsonld");
+  WholeFile first(path), second(path);
+  first.write(std::string(100'000, '1'));
+  second.write(std::string(100'000, '2'));
+  first.finish();
+  CHECK(content_of(path) == std::string(100'000, '1'));
+  second.finish();
+  CHECK(content_of(path) == std::string(100'000, '2'));
+  CHECK(files_in(folder) == 1);
+}
+
+TEST_CASE("a draft that somebody has left behind is in nobody's way") {
+  const TemporaryFolder folder;
+  for (int number = 0; number < 3; ++number)
+    folder.write("map.jsonld." + std::to_string(getpid()) + "-" + std::to_string(number) + ".part", "left");
+  write_text(folder.path_of("map.jsonld"), "new");
+  CHECK(content_of(folder.path_of("map.jsonld")) == "new");
 }
