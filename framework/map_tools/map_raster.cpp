@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <filesystem>
 #include <optional>
@@ -30,6 +31,15 @@ Eigen::AlignedBox2d extent_of(const SemanticMap& map) {
     if (has_surface(feature.geometry)) box.extend(box_of(feature.geometry));
   if (box.isEmpty()) throw MapError(map.name() + ": no feature with a surface, expected a segment or a circle to draw");
   return box;
+}
+
+/// In quotes wherever a program could read something else.
+std::string yaml_text(const std::string& text) {
+  const auto is_plain = [](unsigned char c) { return std::isalnum(c) != 0 || c == '_' || c == '.' || c == '-'; };
+  if (std::ranges::all_of(text, is_plain) && !text.starts_with('-')) return text;
+  std::string quoted = "'";
+  for (const char c : text) quoted.append(c == '\'' ? 2 : 1, c);
+  return quoted + "'";
 }
 
 class Rasterization {
@@ -176,7 +186,7 @@ void write_raster(const MapRaster& raster, const std::string& yaml_path) {
   std::ostringstream text;
   text.imbue(std::locale::classic());
   text.precision(10);
-  text << "image: " << image.filename().string() << "\nresolution: " << raster.resolution_m << "\norigin: ["
+  text << "image: " << yaml_text(image.filename().string()) << "\nresolution: " << raster.resolution_m << "\norigin: ["
        << raster.origin.x() << ", " << raster.origin.y()
        << ", 0.0]\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\n";
   write_text(yaml.string(), text.str());

@@ -75,3 +75,13 @@ TEST_CASE("a raster that makes no sense is an error that says so") {
   CHECK_THROWS_WITH(rasterized(*nothing), Catch::Contains("nothing") && Catch::Contains("surface"));
   CHECK_THROWS_WITH(write_raster(rasterized(*map), "/nowhere/a.yaml"), Catch::Contains("/nowhere/a.pgm"));
 }
+
+TEST_CASE("a raster is read again, whatever its name") {
+  const std::string name = GENERATE("hall", "hall #2", "it's: a hall", "- hall", "*hall", "hall, 2nd {floor}");
+  CAPTURE(name);
+  const auto map = import(two_rooms()).map;
+  const TemporaryFolder folder;
+  const std::string yaml = folder.path_of(name + ".yaml");
+  write_raster(rasterized(*map, {}), yaml);
+  CHECK(faces_m(*grid_importer()->import(yaml).map) == Approx(faces_m(*map)).epsilon(0.03));
+}
