@@ -51,7 +51,9 @@ void StreamHealth::hear(Stream& stream, double received_s, double stamp_s, doubl
   if (stream.received_s) {
     const double since_s = received_s - *stream.received_s;
     stream.interval_s = stream.interval_s > 0 ? (1 - kShare) * stream.interval_s + kShare * since_s : since_s;
-    stream.usual_s = stream.usual_s > 0 ? (1 - kUsualShare) * stream.usual_s + kUsualShare * since_s : since_s;
+    // A mean at first: records that waited for the map come all at once.
+    const double share = std::max(kUsualShare, 1.0 / stream.records);
+    stream.usual_s = (1 - share) * stream.usual_s + share * since_s;
   }
   if (std::isfinite(age_s)) stream.age_s = stream.received_s ? (1 - kShare) * stream.age_s + kShare * age_s : age_s;
   const double behind_s = stream.received_s ? stream.stamp_ahead_s - ahead_s : 0;

@@ -48,10 +48,19 @@ TEST_CASE("records that come more slowly than they used to are told with both ra
   robot.hear(60, 0.1);
   robot.hear(20, 0.2);
   // The newest tenth counts for an average of late, the newest hundredth for the usual one.
-  CHECK(robot.said("odometry") == Words{"odometry: 5.3 records a second, 8.5 before"});
-  CHECK(robot.said("laser") == Words{"laser: 5.3 records a second, 8.5 before"});
+  CHECK(robot.said("odometry") == Words{"odometry: 5.3 records a second, 8.0 before"});
+  CHECK(robot.said("laser") == Words{"laser: 5.3 records a second, 8.0 before"});
   robot.hear(20, 0.1);
   CHECK(robot.said("odometry").empty());
+}
+
+TEST_CASE("records that waited for the map, and come all at once, are no faster rate") {
+  Listened robot;
+  robot.hear(10, 1e-6);
+  for (int k = 0; k < 150; ++k) {
+    robot.hear(1, 0.1);
+    CHECK(robot.health.findings(robot.now_s + 0.01).empty());
+  }
 }
 
 TEST_CASE("a rate is known after fifty records") {
