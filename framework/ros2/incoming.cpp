@@ -30,12 +30,17 @@ bool fits(const Offer& offer, const WantedTopic& wanted) {
   return offer.topic == wanted.topic && offer.type == wanted.type;
 }
 
+template <class Clock>
+std::int64_t ns_of() {
+  return std::chrono::duration_cast<std::chrono::nanoseconds>(Clock::now().time_since_epoch()).count();
+}
+
+/// Tells how long something takes, also while somebody sets the clock.
+std::int64_t steady_ns() { return ns_of<std::chrono::steady_clock>(); }
+
 }  // namespace
 
-std::int64_t system_ns() {
-  using std::chrono::system_clock;
-  return std::chrono::duration_cast<std::chrono::nanoseconds>(system_clock::now().time_since_epoch()).count();
-}
+std::int64_t system_ns() { return ns_of<std::chrono::system_clock>(); }
 
 const dds_topic_descriptor_t& descriptor_of(const std::string& type) {
   static const std::map<std::string, const dds_topic_descriptor_t*> kTypes{
@@ -89,7 +94,7 @@ std::string complaint_about(const WantedTopic& wanted, const std::vector<Offer>&
 Incoming::Incoming(const Participant& participant)
     : participant_(participant),
       waitset_(dds_create_waitset(participant.handle()), "a set of readers"),
-      rates_since_ns_(system_ns()) {}
+      rates_since_ns_(steady_ns()) {}
 
 void Incoming::want(const WantedTopic& wanted) {
   descriptor_of(wanted.type);  // complains at once
@@ -103,7 +108,7 @@ void Incoming::subscribe(Subscription& subscription, const Quality& quality) {
   const WantedTopic& wanted = subscription.wanted;
   reader.entity = participant_.reader(descriptor_of(wanted.type), wanted.topic, quality);
   reader.quality = quality;
-  subscription.since_ns = system_ns();
+  subscription.since_ns = steady_ns();
   dds_set_status_mask(reader.entity.handle(), DDS_DATA_AVAILABLE_STATUS);
   dds_waitset_attach(waitset_.handle(), reader.entity.handle(), 0);
 }
@@ -123,10 +128,10 @@ std::int64_t Incoming::next_receipt_ns() { return last_receipt_ns_ = std::max(sy
 
 void Incoming::take_from(Subscription& subscription, const Entity& reader, const Sink& sink) {
   take_raw(reader, [&](recording::Bytes bytes) {
-    subscription.newest_ns = next_receipt_ns();
+    subscription.newest_ns = steady_ns();
     ++subscription.since_asked;
     sink({{subscription.wanted.topic, subscription.wanted.type, recording::Wire::cdr},
-          subscription.newest_ns,
+          next_receipt_ns(),
           {bytes.begin(), bytes.end()}});
   });
 }
@@ -142,7 +147,7 @@ std::vector<std::string> Incoming::complaints() const {
   for (const auto& [topic, subscription] : topics_) {
     std::string words = complaint_about(subscription.wanted, offers_);
     const std::int64_t awaited_since_ns = std::max(subscription.newest_ns, subscription.since_ns);
-    const double silent_s = 1e-9 * static_cast<double>(system_ns() - awaited_since_ns);
+    const double silent_s = 1e-9 * static_cast<double>(steady_ns() - awaited_since_ns);
     if (words.empty() && subscription.readers.size() == 1)  // two are there, because publishers differ
       if (const auto policy = incompatible_policy(subscription.readers.begin()->second.entity))
         words = topic + ": somebody publishes it with another quality of service: " + *policy;
@@ -156,12 +161,12 @@ std::vector<std::string> Incoming::complaints() const {
 
 std::map<std::string, double> Incoming::take_rates_hz() {
   std::map<std::string, double> rates_hz;
-  const double since_s = std::max(1e-3, 1e-9 * static_cast<double>(system_ns() - rates_since_ns_));
+  const double since_s = std::max(1e-3, 1e-9 * static_cast<double>(steady_ns() - rates_since_ns_));
   for (auto& [topic, subscription] : topics_) {
     if (subscription.newest_ns != 0) rates_hz[topic] = subscription.since_asked / since_s;
     subscription.since_asked = 0;
   }
-  rates_since_ns_ = system_ns();
+  rates_since_ns_ = steady_ns();
   return rates_hz;
 }
 

@@ -59,7 +59,7 @@ class Incoming {
   struct Subscription {
     WantedTopic wanted;
     std::map<bool, Reader> readers = {};  // by whether they are transient local
-    std::int64_t since_ns = 0;            // when the newest reader was made
+    std::int64_t since_ns = 0;            // when the newest reader was made; these by a steady clock
     std::int64_t newest_ns = 0;           // when the last message came; 0: none has
     int since_asked = 0;                  // messages
   };

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <set>
 #include <sstream>
 
@@ -36,8 +37,10 @@ std::string record(Incoming& incoming, const recording::TopicChoice& choice, dou
   std::ostringstream out;
   MessageRecorder recorder(out, "the robot");
   std::map<std::string, int> clouds;  // by topic
-  const std::int64_t end_ns = system_ns() + static_cast<std::int64_t>(seconds * 1e9);
-  while (system_ns() < end_ns && !stop.stop_requested()) {
+  using Clock = std::chrono::steady_clock;
+  const Clock::time_point end =
+      Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
+  while (Clock::now() < end && !stop.stop_requested()) {
     incoming.adapt();
     want_all(incoming, choice);
     incoming.take(kTurnS, [&](const recording::ReceivedMessage& message) {

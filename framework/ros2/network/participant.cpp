@@ -68,6 +68,48 @@ const char* name_of_policy(dds_qos_policy_id_t policy) {
   }
 }
 
+/// Who publishes in the network, as long as this lives. A node of ROS 2 has about ten publishers.
+class Publications {
+ public:
+  explicit Publications(const Entity& reader) : reader_(reader) {
+    for (std::size_t most = 512; read(most) == most && most < kMost;) {
+      give_back();
+      most *= 2;
+    }
+  }
+  ~Publications() { give_back(); }
+  Publications(const Publications&) = delete;
+  Publications& operator=(const Publications&) = delete;
+
+  std::vector<const dds_builtintopic_endpoint_t*> endpoints() const {
+    std::vector<const dds_builtintopic_endpoint_t*> endpoints;
+    for (std::size_t i = 0; i < count_; ++i)
+      if (infos_[i].valid_data) endpoints.push_back(static_cast<const dds_builtintopic_endpoint_t*>(samples_[i]));
+    return endpoints;
+  }
+
+ private:
+  static constexpr std::size_t kMost = 1 << 17;
+
+  std::size_t read(std::size_t most) {
+    samples_.assign(most, nullptr);
+    infos_.resize(most);
+    const dds_return_t count =
+        dds_read_mask(reader_.handle(), samples_.data(), infos_.data(), most, static_cast<std::uint32_t>(most),
+                      DDS_ANY_SAMPLE_STATE | DDS_ANY_VIEW_STATE | DDS_ALIVE_INSTANCE_STATE);
+    return count_ = static_cast<std::size_t>(std::max<dds_return_t>(0, count));
+  }
+  void give_back() {
+    if (count_ > 0) dds_return_loan(reader_.handle(), samples_.data(), static_cast<std::int32_t>(count_));
+    count_ = 0;
+  }
+
+  const Entity& reader_;
+  std::vector<void*> samples_;
+  std::vector<dds_sample_info_t> infos_;
+  std::size_t count_ = 0;
+};
+
 }  // namespace
 
 Entity::Entity(dds_entity_t handle, const std::string& what) : handle_(handle) {
@@ -98,21 +140,15 @@ Participant::Participant(const DiscoveryRange& range)
                     "a reader of who publishes") {}
 
 std::vector<Offer> Participant::offers() const {
-  constexpr std::size_t kMost = 1024;
-  std::vector<void*> samples(kMost, nullptr);
-  std::vector<dds_sample_info_t> infos(kMost);
-  const dds_return_t count = dds_read_mask(publications_.handle(), samples.data(), infos.data(), kMost, kMost,
-                                           DDS_ANY_SAMPLE_STATE | DDS_ANY_VIEW_STATE | DDS_ALIVE_INSTANCE_STATE);
   dds_guid_t own{};
   dds_get_guid(participant_.handle(), &own);
+  const Publications all(publications_);
   std::vector<Offer> offers;
-  for (dds_return_t i = 0; i < count; ++i) {
-    const auto& endpoint = *static_cast<const dds_builtintopic_endpoint_t*>(samples[static_cast<std::size_t>(i)]);
-    if (!infos[static_cast<std::size_t>(i)].valid_data || is_own(endpoint, own)) continue;
-    Offer offer{ros_topic(endpoint.topic_name), ros_type(endpoint.type_name), quality_of(endpoint.qos)};
+  for (const dds_builtintopic_endpoint_t* endpoint : all.endpoints()) {
+    if (is_own(*endpoint, own)) continue;
+    Offer offer{ros_topic(endpoint->topic_name), ros_type(endpoint->type_name), quality_of(endpoint->qos)};
     if (!offer.topic.empty()) offers.push_back(std::move(offer));
   }
-  if (count > 0) dds_return_loan(publications_.handle(), samples.data(), count);
   return offers;
 }
 
