@@ -110,7 +110,8 @@ void Server::guarded(const std::function<void(Session&)>& work) const {
   } catch (const pqxx::pqxx_exception& error) {
     refused = error.base().what();
   }
-  if (unreachable.empty() && !connection_->server.is_open()) unreachable = "the connection broke: " + refused;
+  if (unreachable.empty() && connection_ && !connection_->server.is_open())
+    unreachable = "the connection broke: " + refused;
   if (!unreachable.empty()) connection_.reset();
   if (!unreachable.empty()) throw StoreUnreachable(where() + ": " + without_secrets(unreachable));
   throw StoreError(where() + ": " + without_secrets(refused));
