@@ -37,7 +37,9 @@ CsvTable::CsvTable(std::string path, const std::vector<std::string>& columns) : 
   if (!file_ || !std::getline(file_, header)) throw LogError(path_ + ": cannot be read, or is empty");
   ++line_;
   const std::vector<std::string> names = split(header);
-  for (std::size_t k = 0; k < names.size(); ++k) columns_.emplace(names[k], k);
+  for (std::size_t k = 0; k < names.size(); ++k)
+    if (!columns_.emplace(names[k], k).second)
+      throw LogError(path_ + ": line 1: the column '" + names[k] + "' twice, expected it once");
   for (const std::string& column : columns)
     if (!columns_.contains(column))
       throw LogError(path_ + ": line 1: '" + header + "', expected a column '" + column + "'");

@@ -1,9 +1,10 @@
 #include "feature_rows.hpp"
 
+#include <opal/common/number_text.hpp>
+
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <cstdlib>
 
 namespace opal::postgis_store {
 namespace {
@@ -82,7 +83,7 @@ const char* const kGeometryColumns =
 
 Geometry geometry_of(const std::vector<std::string>& row, std::size_t columns) {
   const std::string& shape = row.at(columns);
-  const auto number = [&](std::size_t k) { return std::strtod(row.at(columns + k).c_str(), nullptr); };
+  const auto number = [&](std::size_t k) { return parse_number<double>(row.at(columns + k)).value_or(0); };
   const Point first(number(1), number(2));
   if (shape == "segment") return Segment{first, {number(3), number(4)}};
   if (shape == "circle") return Circle{first, number(5)};

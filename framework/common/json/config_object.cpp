@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <limits>
 
 namespace opal {
 namespace {
@@ -96,7 +97,9 @@ double ConfigObject::number(const std::string& key, double fallback, NumberRange
 int ConfigObject::integer(const std::string& key, int fallback, NumberRange range) {
   const json* value = find(key);
   if (!value) return fallback;
+  constexpr NumberRange kInt{std::numeric_limits<int>::min(), std::numeric_limits<int>::max()};
   if (!value->is_number_integer() || !holds(range, *value)) refuse(key, in_words("an integer", range));
+  if (!holds(kInt, *value)) refuse(key, in_words("an integer", kInt));
   return value->get<int>();
 }
 

@@ -4,12 +4,11 @@
 #include "ipc/remote/localization_messages.hpp"
 
 #include <opal/common/error.hpp>
+#include <opal/common/number_text.hpp>
 #include <opal/common/strict_json.hpp>
 #include "common/json/config_object.hpp"
 
 #include <fmt/format.h>
-
-#include <charconv>
 
 namespace opal::remote {
 namespace {
@@ -29,8 +28,8 @@ class StartedAnew : public NoAnswer {
 
 std::pair<std::string, int> host_and_port(const std::string& address) {
   const std::size_t colon = address.rfind(':');
-  int port = 0;
-  if (colon != std::string::npos) std::from_chars(address.data() + colon + 1, address.data() + address.size(), port);
+  const auto stated = colon == std::string::npos ? std::nullopt : parse_number<int>(address.substr(colon + 1));
+  const int port = stated.value_or(0);
   if (port < 1 || port > 65535) throw ConfigError("'" + address + "': expected HOST:PORT, e.g. 127.0.0.1:8714");
   return {address.substr(0, colon), port};
 }
