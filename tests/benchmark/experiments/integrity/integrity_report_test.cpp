@@ -43,6 +43,14 @@ TEST_CASE("what always fails together tells less than what fails apart") {
   CHECK(statistics::share_interval(together, 0.05).high > statistics::share_interval(apart, 0.05).high + 0.05);
 }
 
+TEST_CASE("the spread that few clusters tell is not well known") {
+  // Korn and Graubard 1998: 500 trials in 5 clusters without a design effect tell as much as 500 (1.965 / 2.776)^2.
+  const std::vector<statistics::ClusterCount> few(5, {1, 100}), many(500, {0.01, 1}), fewer{{2.504, 250.4}};
+  CHECK(statistics::share_interval(few, 0.05).high ==
+        Approx(statistics::share_interval(fewer, 0.05).high).epsilon(1e-3));
+  CHECK(statistics::share_interval(few, 0.05).high > 1.2 * statistics::share_interval(many, 0.05).high);
+}
+
 TEST_CASE("a drive is false if it calls a wrong pose localized for longer than a second, or fails") {
   std::vector<JudgedDrive> drives{drive_of(1, "a", 0), drive_of(2, "a", 1.0), drive_of(3, "b", 1.1),
                                   drive_of(4, "b", 0)};
