@@ -4,6 +4,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <cmath>
+
 #include <algorithm>
 
 using namespace opal;
@@ -39,6 +41,17 @@ TEST_CASE("the interval of a median holds it in at least 95 of 100 samples") {
   }
   CHECK(held > 0.95 * kSamples);
   CHECK(held < 0.97 * kSamples);  // and is no wider than it has to be: 95.9 % for 20 values
+}
+
+TEST_CASE("the interval of a median of many values lies about it") {
+  const int count = GENERATE(1000, 1074, 1075, 5000);
+  CAPTURE(count);
+  std::vector<double> values;
+  for (int k = 0; k < count; ++k) values.push_back(k);
+  const Interval within = median_interval(values);
+  const double half = 0.98 * std::sqrt(count);  // 1.96 of a binomial's standard deviations
+  CHECK(within.low == Approx((count - 1) / 2. - half).margin(2));
+  CHECK(within.high == Approx((count - 1) / 2. + half).margin(2));
 }
 
 TEST_CASE("a share is told with Wilson's interval") {

@@ -3,6 +3,7 @@
 #include <opal/common/quantile.hpp>
 
 #include <fmt/format.h>
+#include <boost/math/distributions/binomial.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -16,13 +17,9 @@ Interval median_interval(std::vector<double> values) {
   std::sort(values.begin(), values.end());
   // As many values may be left out on either side as are below the median with 2.5 % at most.
   const std::size_t n = values.size();
-  double term = std::pow(0.5, static_cast<double>(n)), below = 0;
-  std::size_t out = 0;
-  for (; below + term <= 0.025 && out < n; ++out) {
-    below += term;
-    term *= static_cast<double>(n - out) / static_cast<double>(out + 1);
-  }
-  const std::size_t rank = out == 0 ? 0 : out - 1;
+  const boost::math::binomial_distribution<> below(static_cast<double>(n), 0.5);
+  std::size_t rank = 0;
+  while (cdf(below, static_cast<double>(rank + 1)) <= 0.025) ++rank;
   return {values[rank], values[n - 1 - rank]};
 }
 
