@@ -8,7 +8,7 @@ std::size_t restore_stamps(benchmark::RunRecord& record, const KidnappingLog& lo
   std::size_t sample = 0, alternative = 0, first_after = record.rows.size();
   for (std::size_t row = 0; row < record.rows.size(); ++row) {
     double& stamp_s = record.rows[row].stamp_s;
-    while (log.samples[sample].views.front().scan.stamp_s != stamp_s) ++sample;
+    while (log.samples.at(sample).stamp_s != stamp_s) ++sample;
     if (sample >= log.cut) first_after = std::min(first_after, row);
     for (; alternative < record.alternatives.size() && record.alternatives[alternative].stamp_s == stamp_s;
          ++alternative)
