@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
 
 namespace opal::benchmark {
 namespace {
@@ -95,6 +96,30 @@ opal::GroundTruth truth_of(const sim::Recording& recording) {
   return opal::GroundTruth(std::move(poses));
 }
 
+/// The image that a grid's description names, if it lies beside it; else "".
+std::string image_beside(const std::string& yaml) {
+  std::ifstream lines(yaml);
+  for (std::string line; std::getline(lines, line);) {
+    if (!line.starts_with("image:")) continue;
+    const std::size_t first = line.find_first_not_of(" \t'\"", std::string("image:").size());
+    const std::size_t last = line.find_last_not_of(" \t\r'\"");
+    const auto image =
+        std::filesystem::path(yaml).parent_path() / (first > last ? "" : line.substr(first, last + 1 - first));
+    return std::filesystem::is_regular_file(image) ? image.string() : "";
+  }
+  return "";
+}
+
+/// All that decides what a recorded place is.
+std::vector<std::string> files_of(const ab::RecordedPlace& place) {
+  std::vector<std::string> files;
+  for (const char* ending :
+       {".log.gz", ".info.json", ".queries.json", ".gt.csv", ".map.jsonld", ".map.yaml", ".map.pgm"})
+    if (const std::string file = place.prefix + ending; std::filesystem::exists(file)) files.push_back(file);
+  if (const std::string image = image_beside(place.prefix + ".map.yaml"); !image.empty()) files.push_back(image);
+  return files;
+}
+
 }  // namespace
 
 std::vector<std::string> WorldSource::queries(const ab::Scenario& scenario) const {
@@ -111,10 +136,8 @@ std::vector<std::string> WorldSource::queries(const ab::Scenario& scenario) cons
 nlohmann::ordered_json WorldSource::inputs(const ab::Scenario& scenario) {
   nlohmann::ordered_json digests;
   if (const auto* place = std::get_if<ab::RecordedPlace>(&scenario.source)) {
-    for (const char* ending :
-         {".log.gz", ".info.json", ".queries.json", ".gt.csv", ".map.jsonld", ".map.yaml", ".map.pgm"})
-      if (const std::string file = place->prefix + ending; std::filesystem::exists(file))
-        digests[std::filesystem::path(file).filename().string()] = opal::sha256_of_file(file);
+    for (const std::string& file : files_of(*place))
+      digests[std::filesystem::path(file).filename().string()] = opal::sha256_of_file(file);
     return digests;
   }
   digests["map"] = digest_of(*map_of(scenario));
