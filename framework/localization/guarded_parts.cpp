@@ -1,5 +1,7 @@
 #include "localization/guarded_parts.hpp"
 
+#include "patterns/sound_instance.hpp"
+
 #include <utility>
 
 namespace opal {
@@ -13,8 +15,11 @@ class GuardedTemplate final : public PatternTemplate {
   PatternShape shape() const override { return template_->shape(); }
   std::optional<PatternInstance> match(std::span<const Feature* const> features) const override {
     std::optional<PatternInstance> found;
-    failures_.guard(name_, [&] { found = template_->match(features); });
-    return found;
+    const bool is_sound = failures_.guard(name_, [&] {
+      found = template_->match(features);
+      if (found) expect_sound(*found, features.size());
+    });
+    return is_sound ? found : std::nullopt;
   }
 
  private:

@@ -159,6 +159,7 @@ bool InvariantTree::contains(std::span<const Interval> query, std::size_t at) co
 }
 
 std::size_t InvariantTree::count(const PatternInstance& observed, std::size_t limit) const {
+  if (observed.invariants.size() != dimensions_) return 0;
   std::size_t found = 0;
   auto add = [&](std::size_t from, std::size_t to) { return (found += to - from) < limit; };
   search(query_of(observed), add);
@@ -167,6 +168,7 @@ std::size_t InvariantTree::count(const PatternInstance& observed, std::size_t li
 
 std::vector<int> InvariantTree::find(const PatternInstance& observed) const {
   std::vector<int> numbers;
+  if (observed.invariants.size() != dimensions_) return numbers;
   const auto order = arrays_.order.values();
   auto add = [&](std::size_t from, std::size_t to) {
     numbers.insert(numbers.end(), order.begin() + static_cast<std::ptrdiff_t>(from),

@@ -38,7 +38,7 @@ class OPAL_EXPORT InvariantTree {
   std::size_t dimensions() const { return dimensions_; }
   const Arrays& arrays() const { return arrays_; }
 
-  /// How many patterns an observed one may be, counted up to `limit`.
+  /// How many patterns an observed one may be, counted up to `limit`. With another number of invariants it is none.
   std::size_t count(const PatternInstance& observed, std::size_t limit) const;
   /// Numbers of those, in no order.
   std::vector<int> find(const PatternInstance& observed) const;

@@ -1,5 +1,7 @@
 #include "patterns/pattern_layer.hpp"
 
+#include "patterns/sound_instance.hpp"
+
 #include <opal/common/error.hpp>
 
 #include <fmt/format.h>
@@ -65,8 +67,9 @@ class LayerPattern {
       if (kind_of(offered.back()->geometry) != shape_.slots[slot]) return std::nullopt;
     }
     auto instance = template_.match(offered);
-    if (instance)
-      for (int& member : instance->members) member = order[member];
+    if (!instance) return std::nullopt;
+    expect_sound(*instance, order.size());
+    for (int& member : instance->members) member = order[member];
     return instance;
   }
 

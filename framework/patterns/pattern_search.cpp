@@ -1,6 +1,7 @@
 #include "patterns/pattern_index.hpp"
 
 #include "common/geometry_box.hpp"
+#include "patterns/sound_instance.hpp"
 
 #include <boost/geometry.hpp>
 #include <boost/geometry/index/rtree.hpp>
@@ -97,6 +98,7 @@ class Enumeration {
     for (int number : chosen_) offered_.push_back(&features_[number]);
     auto instance = template_.match(offered_);
     if (!instance) return;
+    expect_sound(*instance, chosen_.size());
     for (int& member : instance->members) member = chosen_[member];
     visit_(std::move(*instance));
   }

@@ -38,6 +38,35 @@ TEST_CASE("what a template throws is counted, and it has found nothing") {
   CHECK(failures.counts() == std::map<std::string, int>{{"throwing", 3}});
 }
 
+TEST_CASE("a pattern of features that nobody offered is counted, and nothing is found") {
+  struct Wrong : CornerTemplate {
+    std::vector<int> members;
+    double value = 1;
+    std::optional<PatternInstance> match(std::span<const Feature* const> features) const override {
+      auto found = CornerTemplate::match(features);
+      found->members = members;
+      found->invariants = {{value, 0.1}};
+      return found;
+    }
+  };
+  const auto wrong = std::make_shared<Wrong>();
+  PluginFailures failures;
+  LocalizerParts parts;
+  parts.patterns = {{"wrong", wrong}};
+  parts = guarded(std::move(parts), failures);
+  const Feature corner{"opal:Corner", OrientedPoint{{1, 2}, 0.3, 1.5}};
+  const Feature* const offered = &corner;
+  for (const std::vector<int>& members : {std::vector<int>{}, {7}, {-1}, {0, 0}}) {
+    wrong->members = members;
+    CHECK_FALSE(parts.patterns[0].part->match({&offered, 1}));
+  }
+  wrong->members = {0};
+  CHECK(parts.patterns[0].part->match({&offered, 1}));
+  wrong->value = std::numeric_limits<double>::quiet_NaN();
+  CHECK_FALSE(parts.patterns[0].part->match({&offered, 1}));
+  CHECK(failures.counts() == std::map<std::string, int>{{"wrong", 5}});
+}
+
 TEST_CASE("what a scan matcher throws is counted, and odometry is kept") {
   PluginFailures failures;
   LocalizerParts parts;
