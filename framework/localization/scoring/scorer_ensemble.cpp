@@ -10,7 +10,10 @@ ScorerEnsemble::ScorerEnsemble(std::vector<ActiveScorer> scorers, std::shared_pt
     : scorers_(std::move(scorers)), map_(std::move(map)), failures_(failures) {
   std::vector<ScorerMemories::Shared> memories(scorers_.size());
   for (std::size_t k = 0; k < scorers_.size(); ++k)
-    usable_.push_back(failures_.guard(scorers_[k].name, [&] { memories[k] = scorers_[k].part->new_memory(*map_); }));
+    usable_.push_back(failures_.guard(scorers_[k].name, [&] {
+      memories[k] = scorers_[k].part->new_memory(*map_);
+      judges_associations_ = scorers_[k].part->judges_associations() || judges_associations_;
+    }));
   new_memories_ = ScorerMemories(std::move(memories));
 }
 
@@ -43,17 +46,15 @@ std::vector<ScorerEnsemble::NamedFinding> ScorerEnsemble::explain(const Hypothes
                                                                   const Observation& observation) const {
   constexpr std::size_t kMostFindings = 3;  // more of one scorer nobody reads
   std::vector<NamedFinding> all;
-  for (const ActiveScorer& scorer : scorers_) {
+  for (std::size_t k = 0; k < scorers_.size(); ++k) {
+    if (!usable_[k]) continue;
+    const ActiveScorer& scorer = scorers_[k];
     std::vector<Finding> findings;
     failures_.guard(scorer.name, [&] { findings = scorer.part->explain(hypothesis, observation, *map_); });
     if (findings.size() > kMostFindings) findings.resize(kMostFindings);
     for (Finding& finding : findings) all.push_back({scorer.name, std::move(finding)});
   }
   return all;
-}
-
-bool ScorerEnsemble::judges_associations() const {
-  return std::ranges::any_of(scorers_, [](const ActiveScorer& s) { return s.part->judges_associations(); });
 }
 
 double ScorerEnsemble::decide(const Hypothesis& hypothesis, const Observation& observation) const {

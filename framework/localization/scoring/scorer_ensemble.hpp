@@ -19,7 +19,7 @@ class OPAL_EXPORT ScorerEnsemble {
   /// @param failures  counts what scorers throw; must outlive this.
   ScorerEnsemble(std::vector<ActiveScorer> scorers, std::shared_ptr<const MapView> map, PluginFailures& failures);
 
-  bool judges_associations() const;  ///< any of the scorers
+  bool judges_associations() const { return judges_associations_; }  ///< any of the scorers
 
   /// Sum of the deciding scorers' contributions [nat].
   double decide(const Hypothesis& hypothesis, const Observation& observation) const;
@@ -66,6 +66,7 @@ class OPAL_EXPORT ScorerEnsemble {
   std::vector<ActiveScorer> scorers_;
   std::shared_ptr<const MapView> map_;
   PluginFailures& failures_;
+  bool judges_associations_ = false;
   std::vector<bool> usable_;     ///< by scorer: it made the memory that it wants, or wants none
   ScorerMemories new_memories_;  ///< of a hypothesis that has met nothing yet
 };
