@@ -55,8 +55,8 @@ std::optional<PoseEstimate> Localizer::update(const Sample& recorded) {
   s.grow();
   s.hypotheses.remember(observation, s.keyframe, s.tempering_weight(), s.retrospective);
   const PoseEstimate estimate = s.with_place(s.estimate(observation));
-  s.settle();
   s.journal.estimate(estimate, s.hypotheses.alive(), s.status.belief());
+  s.settle();
   s.journal.cost(s.times, s.times.total_s());
   s.started = true;
   return estimate;
@@ -181,7 +181,10 @@ void Localizer::State::watch(const Observation& observation) {
   search_now = false;
   newest_agreement.clear();
   if (rode) carry();
-  if (hypotheses.alive().empty()) return kidnapping.reset();
+  if (hypotheses.alive().empty()) {
+    retrospective.suspect(std::nullopt);
+    return kidnapping.reset();
+  }
   const Live& best = hypotheses.alive().front();
   const bool suspected = kidnapping.is_suspicious();
   const bool established = status.believed() || best.kidnapped_after.exists();

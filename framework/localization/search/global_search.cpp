@@ -98,7 +98,7 @@ std::vector<Candidate> GlobalSearch::candidates_near(const PoseHint& hint, std::
                          std::min(kHintMost_rad, kHintSigmas * hint.sigma_rad), kHintStep_m, kHintStep_rad);
   std::vector<std::pair<double, Pose2>> places;
   for_each_pose(hint.T_map_base, grid, [&](const Pose2& pose, const GridSteps&) {
-    places.emplace_back(likelihood_field_score(*map_, coarse, pose), pose);
+    if (options_.may_be_at(pose.position())) places.emplace_back(likelihood_field_score(*map_, coarse, pose), pose);
   });
   std::stable_sort(places.begin(), places.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
   std::vector<Pose2> poses;
