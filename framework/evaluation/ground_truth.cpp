@@ -1,21 +1,44 @@
 #include "evaluation/ground_truth.hpp"
 
 #include <opal/common/error.hpp>
+#include <opal/common/number_text.hpp>
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <cctype>
 #include <cerrno>
-#include <cstdio>
+#include <cmath>
 #include <cstring>
 #include <fstream>
 
 namespace opal {
 namespace {
 
+std::string without_blanks(std::string text) {
+  std::erase_if(text, [](unsigned char c) { return std::isspace(c) != 0; });
+  return text;
+}
+
 void expect_header(const std::string& line, const std::string& path) {
   if (!line.starts_with("timestamp,x,y,theta"))
     throw LogError(path + ": line 1: '" + line + "', expected the header timestamp,x,y,theta,is_scan");
+}
+
+/// The first four fields, if they are finite numbers.
+std::optional<StampedPose> pose_in(const std::string& line) {
+  std::array<double, 4> fields{};
+  std::size_t begin = 0;
+  for (double& field : fields) {
+    const std::size_t end = std::min(line.find(',', begin), line.size());
+    const auto value =
+        begin > line.size() ? std::nullopt : parse_number<double>(without_blanks(line.substr(begin, end - begin)));
+    if (!value || !std::isfinite(*value)) return std::nullopt;
+    field = *value;
+    begin = end + 1;
+  }
+  return StampedPose{fields[0], {fields[1], fields[2], fields[3]}};
 }
 
 }  // namespace
@@ -28,13 +51,13 @@ GroundTruth GroundTruth::read(const std::string& path) {
   for (int number = 1; std::getline(file, line); ++number) {
     if (number == 1) expect_header(line, path);
     if (number == 1 || line.empty()) continue;
-    double stamp = 0, x = 0, y = 0, heading = 0;
-    if (std::sscanf(line.c_str(), "%lf,%lf,%lf,%lf", &stamp, &x, &y, &heading) != 4)
+    const auto stamped = pose_in(line);
+    if (!stamped)
       throw LogError(fmt::format("{}: line {}: '{}', expected timestamp,x,y,theta,is_scan", path, number, line));
-    if (poses.empty() || stamp > poses.back().stamp_s)
-      poses.push_back({stamp, {x, y, heading}});
+    if (poses.empty() || stamped->stamp_s > poses.back().stamp_s)
+      poses.push_back(*stamped);
     else
-      poses.back().pose = {x, y, heading};  // the scan's own pose follows and wins
+      poses.back().pose = stamped->pose;  // the scan's own pose follows and wins
   }
   if (poses.empty()) throw LogError(path + ": holds no pose, expected lines of timestamp,x,y,theta,is_scan");
   return GroundTruth(std::move(poses));
