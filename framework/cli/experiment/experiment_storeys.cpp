@@ -62,6 +62,8 @@ class StoreyRuns {
       };
     if (storeys().empty())
       throw MapError(options.map + ": holds no storeys, expected some (opal map stack, opal map import --all)");
+    if (options.rides > 0 && parts.lasers.size() > 1)
+      throw ConfigError(options.config + ": has several lasers, expected one for --rides");
     if (options.rides > 0 && trips_.empty())
       throw MapError(options.map + ": holds no lift that serves two storeys, expected one for --rides");
   }
@@ -120,7 +122,8 @@ int storeys(StoreysVerbOptions options) {
   const Table table = storey_table(runs);
   std::cout << markdown_of(table);
   const auto unreached = static_cast<std::size_t>(options.drives + options.rides) - runs.size();
-  if (unreached > 0) std::cout << unreached << " rides did not take place: furniture or a wall was in the way\n";
+  if (unreached > 0 && !signals.token().stop_requested())
+    std::cout << unreached << " rides did not take place: furniture or a wall was in the way\n";
   write_drives(options.out, table, storey_rows(runs));
   return end_run(folder, signals.token().stop_requested() ? signals.signal() : 0, kDone);
 }

@@ -14,13 +14,27 @@ namespace {
 
 int experiment(ExperimentOptions options) {
   const bool third = options.name == "thesis3";
-  if (!third && (!options.baselines.empty() || options.logs))
-    throw ConfigError("--baseline and --logs: are for thesis3; thesis4 closes the loop, which a log cannot");
   if (options.configs.empty())
     options.configs =
         third ? std::vector<std::string>{"thesis3", "default"} : std::vector<std::string>{"thesis4", "default"};
   const PluginRegistry registry = session::load_plugins();
   return third ? experiment_thesis3(options, registry) : experiment_thesis4(options, registry);
+}
+
+void add_thesis3(CLI::App& verb, ExperimentOptions& options) {
+  verb.add_option("--duration", options.duration_s, "of each run [s]")->check(above_zero())->capture_default_str();
+  verb.add_option("--baseline", options.baselines, "programs that localize on the same logs, one more block each");
+  verb.add_flag("--logs", options.logs, "keep what was recorded, and the map as a grid, in OUT/logs");
+}
+
+/// It closes the loop, which a log cannot.
+void add_thesis4(CLI::App& verb, ExperimentOptions& options) {
+  verb.add_option("--most", options.most_s, "of each drive, before it is given up [s]")
+      ->check(above_zero())
+      ->capture_default_str();
+  verb.add_option("--behaviour", options.behaviour, "by which all drive")
+      ->default_str("inspect for the thesis' configurations, the first tree for others");
+  verb.add_option("--trees", options.trees, "document of behaviour trees")->default_str("configs/behaviours.jsonld");
 }
 
 void add_thesis(CLI::App& experiments, const std::string& name, const std::string& description, int& exit_code) {
@@ -41,19 +55,7 @@ void add_thesis(CLI::App& experiments, const std::string& name, const std::strin
   verb->add_option("--jobs", options->jobs, "at the same time; results do not depend on it")
       ->check(in_range(1, 1000))
       ->capture_default_str();
-  verb->add_option("--duration", options->duration_s, "thesis3: of each run [s]")
-      ->check(above_zero())
-      ->capture_default_str();
-  verb->add_option("--baseline", options->baselines,
-                   "thesis3: programs that localize on the same logs, one more block each");
-  verb->add_flag("--logs", options->logs, "thesis3: keep what was recorded, and the map as a grid, in OUT/logs");
-  verb->add_option("--most", options->most_s, "thesis4: of each drive, before it is given up [s]")
-      ->check(above_zero())
-      ->capture_default_str();
-  verb->add_option("--behaviour", options->behaviour, "thesis4: by which all drive")
-      ->default_str("inspect for the thesis' configurations, the first tree for others");
-  verb->add_option("--trees", options->trees, "thesis4: document of behaviour trees")
-      ->default_str("configs/behaviours.jsonld");
+  name == "thesis3" ? add_thesis3(*verb, *options) : add_thesis4(*verb, *options);
   verb->callback([options, &exit_code] { exit_code = experiment(*options); });
 }
 

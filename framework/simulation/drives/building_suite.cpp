@@ -4,8 +4,11 @@
 
 #include <opal/common/error.hpp>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace opal::simulation {
 namespace {
@@ -30,6 +33,11 @@ void check(const SuiteRequest& request) {
   for (double difficulty : request.difficulties)
     if (!(difficulty >= 0 && difficulty <= 1))
       throw ConfigError("suite of buildings: difficulty " + std::to_string(difficulty) + ", expected 0 to 1");
+  std::set<long> percents;  // buildings are named by them
+  for (const double difficulty : request.difficulties)
+    if (!percents.insert(std::lround(100 * difficulty)).second)
+      throw ConfigError(
+          fmt::format("suite of buildings: difficulty {} twice, expected others that differ by 0.01", difficulty));
   if (request.difficulties.empty())
     throw ConfigError("suite of buildings: no difficulty, expected at least one in 0 to 1");
 }
