@@ -15,7 +15,7 @@ def cells_of(rows):
     before = [row for row in rows if row["localized_before"] == "1"]
     after = sorted(float(row["recovered_after_s"] or "inf") for row in before)
     cells = {"drives": str(len(rows)), "localized before": str(len(before)),
-             "localized elsewhere for more than 1 s": str(sum(float(row["wrong_s"]) > WRONG_FOR_S for row in rows)),
+             "localized elsewhere for more than 1 s": str(sum(float(row["longest_wrong_s"]) > WRONG_FOR_S for row in rows)),
              "named": str(sum(row["named"] == "1" for row in rows))}
     if after:
         cells["median s until right again"] = f"{statistics.median_low(after):.1f}"

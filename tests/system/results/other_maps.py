@@ -40,7 +40,7 @@ def recorded(results):
 def simulated(file):
     """Of each drive. @param file  of `opal experiment faults`."""
     with file.open(newline="", encoding="utf-8") as text:
-        wrong_s = [float(row["wrong_s"]) for row in csv.DictReader(text)]
+        wrong_s = [float(row["longest_wrong_s"]) for row in csv.DictReader(text)]
     return wrong_s, [time_s > 0 for time_s in wrong_s]
 
 

@@ -42,7 +42,7 @@ class Page(unittest.TestCase):
             kidnappings=lambda *_: dict.fromkeys(make_results.SITES, sums), all_kidnappings=lambda *_: sums)
         (selection := make_results.Selection([])).kinds.pop("calibration")  # runs a program
         cells = drives.drive_cells([{"reached": True, "driven_m": 2.0, "localized_after_m": 1.0, "collisions": [], "why": None}])
-        fault_rows = [{"localized_before": "1", "recovered_after_s": "2.5", "wrong_s": "0", "named": "1"}]
+        fault_rows = [{"localized_before": "1", "recovered_after_s": "2.5", "longest_wrong_s": "0", "named": "1"}]
         stratum = {"aspect": "map", "value": "redrawn", "drives": 3, "false_drives": 1, "false_share_95": [0, 0.7], "localized_drives": 2,
                    "localized_after_m": {"median": 4.5, "95 %": None}}
         storey = {"right": "1", "wrong": "0", "right_from_m": "3.0", "localized_from_m": "", "difference": "0.2"}

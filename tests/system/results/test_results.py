@@ -236,7 +236,7 @@ class Choosing(unittest.TestCase):
 class Drives(unittest.TestCase):
     def test_a_drive_that_is_never_right_again_counts_as_the_slowest(self):
         def row(recovered, before="1"):
-            return {"localized_before": before, "recovered_after_s": recovered, "wrong_s": "1.5", "named": "0"}
+            return {"localized_before": before, "recovered_after_s": recovered, "longest_wrong_s": "1.5", "named": "0"}
         cells = faults.cells_of([row("1.0"), row(""), row("9.0"), row("0.0", before="0")])
         self.assertEqual((cells["drives"], cells["localized before"]), ("4", "3"))
         self.assertEqual((cells["median s until right again"], cells["right again within 5 s"]), ("9.0", "1"))

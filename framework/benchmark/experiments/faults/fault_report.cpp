@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace opal::experiments {
 namespace {
@@ -28,7 +29,8 @@ std::string recovery_of(std::vector<FaultRun> runs, double share) {
   for (const FaultRun& run : runs)
     after_s.push_back(run.recovered_after_s.value_or(std::numeric_limits<double>::infinity()));
   std::ranges::sort(after_s);
-  const double at = after_s[static_cast<std::size_t>(share * static_cast<double>(after_s.size() - 1))];
+  const auto within = static_cast<std::size_t>(std::ceil(share * static_cast<double>(after_s.size())));
+  const double at = after_s[within - 1];
   return std::isfinite(at) ? fmt::format("{:.1f}", at) : "never";
 }
 
@@ -46,9 +48,9 @@ Table fault_table(const std::vector<FaultRun>& runs) {
     table.rows.push_back(
         {trouble.name, std::to_string(these.size()),
          count_of(these, [](const FaultRun& run) { return run.localized_before; }),
-         count_of(these, [](const FaultRun& run) { return run.wrong_s > 0; }),
-         count_of(these, [](const FaultRun& run) { return run.wrong_s > kLong_s; }), recovery_of(these, 0.5),
-         recovery_of(these, 0.95),
+         count_of(these, [](const FaultRun& run) { return run.localized.wrong_from_s.has_value(); }),
+         count_of(these, [](const FaultRun& run) { return run.localized.longest_wrong_s > kLong_s; }),
+         recovery_of(these, 0.5), recovery_of(these, 0.95),
          trouble.named.empty() ? "" : count_of(these, [](const FaultRun& run) { return run.is_named; })});
   }
   return table;
@@ -56,20 +58,15 @@ Table fault_table(const std::vector<FaultRun>& runs) {
 
 Table fault_rows(const std::vector<FaultRun>& runs) {
   Table table;
-  table.columns = {{"fault", "", false},
-                   {"seed"},
-                   {"building", "", false},
-                   {"localized_before"},
-                   {"recovered_after_s"},
-                   {"wrong_s"},
-                   {"named"},
-                   {"answers"},
-                   {"worst_latency_s"}};
+  table.columns = {{"fault", "", false},  {"seed"},           {"building", "", false}, {"localized_before"},
+                   {"recovered_after_s"}, {"wrong_s"},        {"longest_wrong_s"},     {"named"},
+                   {"answers"},           {"worst_latency_s"}};
   for (const FaultRun& run : runs)
     table.rows.push_back({run.trouble, std::to_string(run.seed), run.building, run.localized_before ? "1" : "0",
                           run.recovered_after_s ? fmt::format("{:.2f}", *run.recovered_after_s) : "",
-                          fmt::format("{:.2f}", run.wrong_s), run.is_named ? "1" : "0", std::to_string(run.answers),
-                          fmt::format("{:.3f}", run.worst_latency_s)});
+                          fmt::format("{:.2f}", run.localized.wrong_s),
+                          fmt::format("{:.2f}", run.localized.longest_wrong_s), run.is_named ? "1" : "0",
+                          std::to_string(run.answers), fmt::format("{:.3f}", run.worst_latency_s)});
   return table;
 }
 

@@ -52,8 +52,7 @@ class Watch {
         simulation::true_stamp_s(trouble_.fault, {options_.fault_from_s, end_s}, answer.stamp_s, now_s);
     const bool says_localized = answer.estimate.status == Status::localized;
     const bool is_right = says_localized && !trouble_.is_other_map && is_near(answer.estimate, true_s);
-    if (says_localized && !is_right) run_.wrong_s += std::clamp(true_s - before_s_, 0.0, 1.0);
-    before_s_ = true_s;
+    run_.localized.add(true_s, says_localized, is_right);
     if (now_s < options_.fault_from_s) run_.localized_before = is_right;
     if (now_s >= end_s && is_right && !run_.recovered_after_s) run_.recovered_after_s = now_s - end_s;
   }
@@ -71,7 +70,6 @@ class Watch {
   const Trouble& trouble_;
   const FaultDriveOptions& options_;
   FaultRun& run_;
-  double before_s_ = 0;
 };
 
 void play(const std::vector<Arrival>& arrivals, LiveCore& core, Watch& watch) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "benchmark/experiments/kit/localized_time.hpp"
 #include "simulation/drives/faults.hpp"
 
 #include <opal/deployment/deployment.hpp>
@@ -36,7 +37,7 @@ struct FaultRun {
   std::string building;                          ///< its kind
   bool localized_before = false;                 ///< when the fault began
   std::optional<double> recovered_after_s = {};  ///< after the end of the fault: localized where the robot is
-  double wrong_s = 0;                            ///< localized elsewhere than the robot was
+  LocalizedTime localized = {};                  ///< where the robot was, and elsewhere
   bool is_named = false;                         ///< health said what was wrong
   int answers = 0;
   double worst_latency_s = 0;  ///< from arrival to answer, by the clock of the drive

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "benchmark/experiments/integrity/drive_world.hpp"
-#include "benchmark/experiments/integrity/localized_time.hpp"
+#include "benchmark/experiments/kit/localized_time.hpp"
 
 #include <opal/localization/events/event_stream.hpp>
 

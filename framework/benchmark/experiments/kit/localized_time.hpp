@@ -5,7 +5,7 @@
 namespace opal::experiments {
 
 /// For how long poses were called localized, right and wrong ones. An answer holds until the next one, but not for
-/// longer than a second: then it is silence.
+/// longer than a second: then it is silence. The last one holds no time.
 class LocalizedTime {
  public:
   /// @param stamp_s  increasing from 0 on; an older one adds nothing.
@@ -17,7 +17,11 @@ class LocalizedTime {
   std::optional<double> wrong_from_s = {};  ///< the first of it
 
  private:
+  /// The newest answer has held so long.
+  void hold(double time_s);
+
   double before_s_ = 0, stretch_s_ = 0;
+  bool is_localized_ = false, is_right_ = false;
 };
 
 }  // namespace opal::experiments
