@@ -18,8 +18,7 @@ struct PageTemplate {
 /// @param data  HTML, put in as it is.
 std::string filled_page(const PageTemplate& page, const std::string& data);
 
-/// JSON as the content of a script element or the value of an attribute in single quotes: nothing in it can begin or
-/// end either. Bytes that are no UTF-8 are replaced.
+/// JSON as the content of a script element: nothing in it can begin or end one. Bytes that are no UTF-8 are replaced.
 std::string json_in_html(const nlohmann::ordered_json& json);
 
 }  // namespace opal

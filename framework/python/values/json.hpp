@@ -27,10 +27,11 @@ pybind11::object to_python(const Json& json) {
   return py::none();
 }
 
-/// As Python's own module `json` writes it. @throws pybind11::error_already_set (TypeError) for what JSON does not
-/// know.
+/// As Python's own module `json` writes it. @throws pybind11::error_already_set for what JSON does not
+/// know (TypeError), and for numbers that are not finite (ValueError).
 inline nlohmann::json from_python(const pybind11::object& object) {
-  const pybind11::object text = pybind11::module_::import("json").attr("dumps")(object);
+  using namespace pybind11::literals;
+  const pybind11::object text = pybind11::module_::import("json").attr("dumps")(object, "allow_nan"_a = false);
   return nlohmann::json::parse(text.cast<std::string>());
 }
 

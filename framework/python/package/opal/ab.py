@@ -83,7 +83,7 @@ def _read_json(folder: str, name: str) -> Any:
 
 
 def _read_lines(folder: str, name: str) -> List[Dict[str, Any]]:
-    lines = _read_text(folder, name).splitlines()
+    lines = _read_text(folder, name).removesuffix("\n").split("\n")  # names may have other ends of lines
     return [_parse(line, f"{folder}/{name}: line {number}") for number, line in enumerate(lines, 1)]
 
 
