@@ -21,7 +21,7 @@ def cautious(caution, drives, seed):
     return Campaign(drives, seed, robots, ("all", "alike", "storeys", "map", "event"))
 
 
-CAMPAIGNS = {"integrity": Campaign(500), "integrity-careful": cautious("careful", 2000, 2), "integrity-strict": cautious("strict", 3700, 6)}
+CAMPAIGNS = {"integrity": Campaign(500), "integrity-careful": cautious("careful", 2000, 2), "integrity-strict": cautious("strict", 8000, 6)}
 
 
 def label_of(stratum):
