@@ -2,6 +2,7 @@
 
 #include <Eigen/Dense>
 
+#include <algorithm>
 #include <map>
 
 namespace opal {
@@ -18,6 +19,7 @@ struct PointShift {
   Eigen::Matrix2d information = Eigen::Matrix2d::Zero();
   Point pull = Point::Zero();
   std::string because;
+  double share = 1;  ///< of the way that it goes
 
   void pull_by(const Eigen::Matrix2d& weight, const Point& moved) {
     information += weight;
@@ -25,7 +27,7 @@ struct PointShift {
   }
   Point place() const {
     constexpr double kStay = 1e-3;  // directions that no face fixes
-    return at + (information + kStay * Eigen::Matrix2d::Identity()).ldlt().solve(pull);
+    return at + share * (information + kStay * Eigen::Matrix2d::Identity()).ldlt().solve(pull);
   }
 };
 
@@ -73,6 +75,31 @@ Point moved_by(const SemanticMap& map, const MapObject& object, const Proposal& 
   return Point::Zero();
 }
 
+/// What of a face is left where its points go, along its direction [m].
+double length_left_m(const Segment& face, const PointShift* begin, const PointShift* end) {
+  return face.direction().dot((end ? end->place() : face.end) - (begin ? begin->place() : face.begin));
+}
+
+/// The sides of a thin wall may be seen so far inwards that nothing of its end is left. Then its points go half the
+/// way.
+void keep_faces(const SemanticMap& map, Shifts& shifts) {
+  constexpr double kLeast_m = 0.02;
+  constexpr int kMostHalvings = 10;
+  const auto shift_of = [&](const std::string& point) {
+    const auto found = shifts.find(point);
+    return found == shifts.end() ? nullptr : &found->second;
+  };
+  for (const MapFeature& feature : map.features()) {
+    const auto* face = std::get_if<Segment>(&feature.geometry);
+    if (!face || feature.points.size() != 2) continue;
+    PointShift *begin = shift_of(feature.points[0]), *end = shift_of(feature.points[1]);
+    const double least_m = std::min(kLeast_m, face->length_m() / 2);
+    for (int k = 0; k < kMostHalvings && length_left_m(*face, begin, end) < least_m; ++k)
+      for (PointShift* point : {begin, end})
+        if (point) point->share /= 2;
+  }
+}
+
 Shifts shifts_of(const SemanticMap& map, std::span<const Proposal> proposals) {
   Shifts shifts;
   for (const Proposal& proposal : proposals) {
@@ -82,6 +109,7 @@ Shifts shifts_of(const SemanticMap& map, std::span<const Proposal> proposals) {
       shift(shifts, map.feature(number), moved_by(map, *object, proposal, map.feature(number)),
             object->id + " " + sentence_of(proposal));
   }
+  keep_faces(map, shifts);
   return shifts;
 }
 

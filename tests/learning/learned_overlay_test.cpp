@@ -144,6 +144,26 @@ TEST_CASE("faces of one object move by as much as each was seen elsewhere") {
   CHECK(face_of(*built, "wall-0/face").begin.y() == Approx(0.25).margin(0.01));
 }
 
+TEST_CASE("a thin wall whose sides are seen further inwards than it is thick keeps its ends") {
+  const Point corners[] = {{0, 0}, {4, 0}, {4, 0.1}, {0, 0.1}};
+  std::vector<MapFeature> features;
+  for (int k = 0; k < 4; ++k) {
+    features.push_back({"wall/face-" + std::to_string(k), MapObjectNumber(0), "opal:Wall", kSensor,
+                        Segment{corners[k], corners[(k + 1) % 4]}});
+    features.back().points = {"corner-" + std::to_string(k), "corner-" + std::to_string((k + 1) % 4)};
+  }
+  const auto map = SemanticMap::make("hall", {{"wall", "opal:Wall"}}, features);
+  const double inwards_m = GENERATE(0.051, 0.06, 0.3);
+  CAPTURE(inwards_m);
+  Deviation wall = seen("wall", kMoved, {0, 0.06});
+  wall.faces = {{"wall/face-0", inwards_m, 0.01}, {"wall/face-2", inwards_m, 0.01}};
+  const auto built = applied(*map, {drive("a", {wall}), drive("b", {wall})});
+  for (const MapFeature& feature : map->features()) {
+    const Segment& before = std::get<Segment>(feature.geometry);
+    CHECK(face_of(*built, feature.id).direction().dot(before.direction()) > 0.9);
+  }
+}
+
 TEST_CASE("drives that contradict each other are shown, not averaged") {
   const auto map = room();
   const std::vector<DriveEvidence> drives{drive("a", {seen("wall-0", kMoved, {0, 0.6})}),
