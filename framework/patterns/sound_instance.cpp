@@ -4,20 +4,25 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
-#include <vector>
 
 namespace opal {
+namespace {
+
+/// Each position from 0 on, in any order.
+bool are_positions(const std::vector<int>& members) {
+  for (int position = 0; position < static_cast<int>(members.size()); ++position)
+    if (std::ranges::count(members, position) != 1) return false;
+  return true;
+}
+
+}  // namespace
 
 void expect_sound(const PatternInstance& found, std::size_t offered) {
-  if (found.members.size() != offered)
-    throw PluginError(fmt::format("a pattern of {} members, expected {}", found.members.size(), offered));
-  std::vector<bool> is_member(offered, false);
-  for (const int member : found.members) {
-    if (member < 0 || static_cast<std::size_t>(member) >= offered || is_member[static_cast<std::size_t>(member)])
-      throw PluginError(fmt::format("a pattern with member {}, expected each of 0 to {} once", member, offered - 1));
-    is_member[static_cast<std::size_t>(member)] = true;
-  }
+  if (found.members.size() != offered || !are_positions(found.members))
+    throw PluginError(fmt::format("a pattern with the members {}, expected each of {} features once",
+                                  fmt::join(found.members, ", "), offered));
   for (const Invariant& invariant : found.invariants)
     if (!std::isfinite(invariant.value) || std::isnan(invariant.tolerance))
       throw PluginError(
