@@ -1,6 +1,7 @@
 #include <opal/local_map/local_map.hpp>
 
 #include "common/covariance.hpp"
+#include "common/finite_geometry.hpp"
 #include "local_map/local_map_association.hpp"
 #include "local_map/local_map_graph.hpp"
 #include "local_map/local_map_horizon.hpp"
@@ -27,19 +28,10 @@ bool is_usable(const Pose2& pose) {
          std::isfinite(pose.heading_rad());
 }
 
-struct IsUsable {
-  bool operator()(const Point& p) const { return p.allFinite(); }
-  bool operator()(const OrientedPoint& p) const {
-    return p.position.allFinite() && std::isfinite(p.heading_rad) && std::isfinite(p.opening_rad);
-  }
-  bool operator()(const Segment& s) const {
-    return s.begin.allFinite() && s.end.allFinite() && s.length_m() > kShortestSegment_m;
-  }
-  bool operator()(const Circle& c) const { return c.center.allFinite() && std::isfinite(c.radius_m); }
-};
-
 bool is_usable(const Feature& feature) {
-  return feature.covariance.allFinite() && std::isfinite(feature.support_m) && std::visit(IsUsable{}, feature.geometry);
+  const auto* segment = std::get_if<Segment>(&feature.geometry);
+  return feature.covariance.allFinite() && std::isfinite(feature.support_m) && is_finite(feature.geometry) &&
+         (!segment || segment->length_m() > kShortestSegment_m);
 }
 
 /// The feature with a covariance that is one: symmetric, without negative variances.

@@ -1,22 +1,8 @@
 #include "localization/observation/seen_features.hpp"
 
-#include <cmath>
+#include "common/finite_geometry.hpp"
 
 namespace opal {
-namespace {
-
-struct IsFinite {
-  bool operator()(const Point& p) const { return p.allFinite(); }
-  bool operator()(const OrientedPoint& p) const {
-    return p.position.allFinite() && std::isfinite(p.heading_rad) && std::isfinite(p.opening_rad);
-  }
-  bool operator()(const Segment& s) const { return s.begin.allFinite() && s.end.allFinite(); }
-  bool operator()(const Circle& c) const { return c.center.allFinite() && std::isfinite(c.radius_m); }
-};
-
-bool is_finite(const Feature& feature) { return std::visit(IsFinite{}, feature.geometry); }
-
-}  // namespace
 
 SeenFeatures detect(const std::vector<Named<FeatureDetector>>& detectors, const Sample& sample,
                     PluginFailures& failures) {
@@ -25,7 +11,7 @@ SeenFeatures detect(const std::vector<Named<FeatureDetector>>& detectors, const 
     for (const auto& detector : detectors)
       failures.guard(detector.name, [&] {
         for (const Feature& feature : detector.part->detect(sample.views[k].scan)) {
-          if (!is_finite(feature)) {
+          if (!is_finite(feature.geometry)) {
             failures.count(detector.name, "a feature that is not finite");
             continue;
           }
