@@ -40,11 +40,11 @@ int sync_folder_of(const std::string& file) {
 int open_draft(const std::string& target, std::string& draft) {
   constexpr int kMostTries = 1000;
   static std::atomic<unsigned> number = 0;
-  int file = -1;
-  for (int tries = 0; tries < kMostTries && (tries == 0 || (file < 0 && errno == EEXIST)); ++tries) {
+  int file = -1, tries = 0;
+  do {
     draft = target + "." + std::to_string(getpid()) + "-" + std::to_string(number++) + ".part";
     file = open(draft.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-  }
+  } while (file < 0 && errno == EEXIST && ++tries < kMostTries);
   return file;
 }
 

@@ -46,7 +46,7 @@ struct LiveObserver::State {
 
   /// Whatever goes wrong here, the robot is localized all the same.
   template <class Step>
-  void try_to(const Step& step) {
+  static void try_to(const Step& step) {
     try {
       step();
     } catch (const std::exception& error) {

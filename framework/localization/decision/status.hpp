@@ -17,9 +17,8 @@ struct Circumstances {
   double tempering_weight = 1;  ///< how much of a new piece of evidence the scan was, in (0, 1]
   double kidnapped = 0;         ///< probability that the robot has been kidnapped from all hypotheses
   double unmapped_walls_m = 0;  ///< straight walls around the robot that the best hypothesis does not find on the map
-  bool is_broken =
-      false;  ///< the scan shows hardly anything of what was seen before, or comes after a long way without scans
-  MapAgreement agreement{};  ///< of the map with the scan, at the best hypothesis
+  bool is_broken = false;       ///< the scan shows hardly anything of what was seen before, or that was a long way ago
+  MapAgreement agreement{};     ///< of the map with the scan, at the best hypothesis
 };
 
 /// Turns hypotheses into one answer with a status.
