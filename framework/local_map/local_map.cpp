@@ -1,13 +1,13 @@
 #include <opal/local_map/local_map.hpp>
 
 #include "common/covariance.hpp"
-#include "common/finite_geometry.hpp"
 #include "local_map/local_map_association.hpp"
 #include "local_map/local_map_graph.hpp"
 #include "local_map/local_map_horizon.hpp"
 #include "local_map/local_map_merging.hpp"
 #include "local_map/local_map_odometry.hpp"
 #include "local_map/matched_points.hpp"
+#include "sensing/finite_geometry.hpp"
 
 #include <Eigen/Cholesky>
 

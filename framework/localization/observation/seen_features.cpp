@@ -1,6 +1,6 @@
 #include "localization/observation/seen_features.hpp"
 
-#include "common/finite_geometry.hpp"
+#include "sensing/finite_geometry.hpp"
 
 namespace opal {
 
